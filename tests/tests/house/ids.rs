@@ -93,7 +93,7 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
         ("reduction", &["reduce"], reduction::Method::ALL.map(reduction::Method::id).to_vec()),
         // the other methods of this registry answer whether a point is a member, and prove nothing
         (
-            "collision",
+            "collision/doors",
             &["member", "intersect", "gauge"],
             collision::Method::ALL
                 .iter()

@@ -50,11 +50,11 @@
 
 use std::cmp::Ordering;
 
-use super::query::{Gauge, Location, Separation};
-use super::tightest_facet::{TightestFacet, Vector, witness};
+use super::proof::tightest_facet::{TightestFacet, Vector, witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::Span;
+use crate::zonotope::location::{Gauge, Location, Separation};
 use crate::zonotope::query::Query;
 
 /// Where the displacement lies, with a proof.

@@ -46,10 +46,9 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (2.0, Status::Outside));
 //! ```
 
-use super::basis_solve::near_witness;
-use super::query::{Gauge, Location, Separation, Witness};
-use super::tightest_facet::{TightestFacet, Vector};
-use super::to_doubles::rounded_off_a_basis;
+use super::proof::balance::solve::near_witness;
+use super::proof::tightest_facet::{TightestFacet, Vector};
+use super::proof::to_doubles::rounded_off_a_basis;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, Span, cross, dot, exact, rounded_direction};
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
@@ -57,6 +56,7 @@ use crate::numeric::tolerance::PRODUCT_OF_ROUNDED_VECTORS;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::faces::{FaceLattice, Faces, FacesError, Facet, faces};
+use crate::zonotope::location::{Gauge, Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.

@@ -51,15 +51,15 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, Status::Outside));
 //! ```
 
-use super::basis_solve::{left_over, solve};
-use super::query::{Gauge, Location, Separation, Witness};
-use super::to_doubles::rounded_off_a_basis;
+use super::proof::balance::solve::{left_over, solve};
+use super::proof::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::dot;
 use crate::tally::Tally;
+use crate::zonotope::location::{Gauge, Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.

@@ -46,55 +46,16 @@
 //! assert_eq!(answer.location().unwrap().status(), Status::Outside);
 //! ```
 
+mod answer;
 mod proof;
 
-use super::query::{Location, Witness};
+pub use answer::{Answer, Undecided};
+
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::zonotope::location::Location;
 use crate::zonotope::query::Query;
-
-/// What an engine's optimum proves.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Answer<const D: usize> {
-    /// Where the displacement lies.
-    Located(Location<D>),
-    /// The displacement lies in the zonotope; inside or on the boundary was not decided.
-    Member(Witness),
-    /// Nothing was proved.
-    Undecided(Undecided),
-}
-
-/// Why nothing was proved.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Undecided {
-    /// The engine found no optimum, although there is one.
-    Engine(Guess),
-    /// Neither the primal nor the dual values of the optimum became a proof.
-    Unproved {
-        /// The gauge by the engine: what a caller who believes it would compare with 1.
-        believed_gauge: f64,
-    },
-}
-
-impl<const D: usize> Answer<D> {
-    /// The location, if it was decided completely.
-    pub fn location(&self) -> Option<&Location<D>> {
-        match self {
-            Self::Located(location) => Some(location),
-            _ => None,
-        }
-    }
-
-    /// Whether the displacement lies in the zonotope, if that was proved.
-    pub fn is_member(&self) -> Option<bool> {
-        match self {
-            Self::Located(location) => Some(location.is_member()),
-            Self::Member(_) => Some(true),
-            Self::Undecided(_) => None,
-        }
-    }
-}
 
 /// What the engine's optimum proves about a displacement.
 pub fn locate<const D: usize>(question: &Query<'_, D>, engine: &dyn Engine) -> Answer<D> {

@@ -34,7 +34,6 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
-mod basis_solve;
 pub mod brute_force;
 pub mod by_explicit_faces;
 pub mod by_gjk;
@@ -44,20 +43,17 @@ pub mod by_lad_in_r4;
 pub mod by_linear_program;
 pub mod by_slope_selection;
 pub mod distance;
+mod doors;
 pub mod hierarchy;
-mod method;
-mod nearest_basis;
 pub mod prepared;
-mod query;
-mod tightest_facet;
-mod to_doubles;
+pub(crate) mod proof;
 pub mod tracking;
 pub mod upper_hull;
 
 pub use by_lad::{gauge, locate};
 
+pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness};
 pub use crate::zonotope::posed_query::PosedQuery;
 pub use crate::zonotope::query::Query;
-pub use method::{Finding, Method, MethodError};
-pub use nearest_basis::Proved;
-pub use query::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
+pub use doors::{Finding, Method, MethodError, PosedZonotope};
+pub use proof::balance::nearest::Proved;

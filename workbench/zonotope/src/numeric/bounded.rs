@@ -8,7 +8,7 @@ use std::ops::{Add, Mul, Sub};
 
 use super::dyadic::Dyadic;
 use super::exact_sum::exact_sum;
-use super::linear;
+use super::linear::{self, ring_of_values};
 use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// An exact value within `error` of `value`.
@@ -86,6 +86,8 @@ impl Mul for Bounded {
         Self { value, error: (carried + UNIT * value.abs()) * FIVE_ROUNDINGS + PRODUCT_UNDERFLOW }
     }
 }
+
+ring_of_values!(Bounded, Bounded::exact(0.0), Bounded::exact(1.0));
 
 /// A vector of doubles.
 #[inline]

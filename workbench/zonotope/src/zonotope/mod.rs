@@ -6,7 +6,8 @@
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
-//! | `operations`, `cleanup` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
+//! | `location` | what is answered about a displacement: where it lies, with its proof, and its gauge |
+//! | `operations` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
@@ -15,11 +16,11 @@
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
-mod cleanup;
 mod combinatorics;
 pub mod directions;
 pub mod faces;
 mod implicit;
+pub(crate) mod location;
 mod matrices;
 pub mod named;
 mod operations;

@@ -4,6 +4,8 @@
 //! generators are rounded, and along each coordinate axis one more generator, as long as all that was lost to rounding
 //! there, makes up for it.
 
+mod cleanup;
+
 use super::{Zonotope, ZonotopeError};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::ExactSum;

@@ -2,11 +2,11 @@
 
 use super::early::passes::EarlyQuery;
 use crate::collision::Query;
-use crate::lad::of_generators::certify::facet_of_pair::location_by_pair;
+use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
 use crate::lad::of_generators::ladder::WHOLE_LIMIT;
-use crate::lad::of_generators::optimum::Told;
 use crate::lad::of_generators::search::best_pair::PAIRS_LIMIT;
 use crate::lad::of_generators::search::likely_vertex::likely_vertex;
+use crate::lad::of_generators::told::Told;
 use crate::tally::{Operation, Rung, Tally};
 
 /// The proof that a vertex found in doubles gives, or else the vertex, if there is one. O(n) for each line of the

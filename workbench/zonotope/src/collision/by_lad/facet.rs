@@ -49,14 +49,15 @@
 //! assert_eq!(facet.location().status().name(), "outside");
 //! ```
 
-use super::proof;
+use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
+use crate::collision::proof::of_optimum;
 use crate::collision::{Gauge, Location};
 #[cfg(test)]
 use crate::lad::of_generators::exact::solve::ExactOptimum;
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::{solve, solve_from};
 use crate::tally::Tally;
 
@@ -75,7 +76,7 @@ impl<'q> Facet<'q> {
 
     /// Finds the facet, or a proof of the location, by a search that begins at a vertex, if there is one.
     pub(super) fn find_proof(query: &'q dyn KernelQuery, vertex: Option<[usize; 2]>, tally: &mut dyn Tally) -> Self {
-        Self { query, optimum: solve_from(query, Goal::Proof, vertex, tally) }
+        Self { query, optimum: solve_from(query, Goal::Proof(location_by_pair), vertex, tally) }
     }
 
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
@@ -124,14 +125,14 @@ impl<'q> Facet<'q> {
 
     /// [`location`](Self::location), counting its operations.
     pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
-        proof::location(self.query, &self.optimum, tally)
+        of_optimum::location(self.query, &self.optimum, tally)
     }
 
     /// Where the displacement lies, with the proof that was found in the place of a facet, if one was.
     pub(super) fn into_location(self, tally: &mut dyn Tally) -> Location<3> {
         match self.optimum {
-            Optimum::Told(told) => proof::of_told(told, tally),
-            optimum => proof::location(self.query, &optimum, tally),
+            Optimum::Told(told) => of_optimum::of_told(told, tally),
+            optimum => of_optimum::location(self.query, &optimum, tally),
         }
     }
 

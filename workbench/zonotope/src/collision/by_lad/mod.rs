@@ -22,10 +22,9 @@
 //! 4. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
 //!    which order.
 //! 5. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
-//!    proved to be enough (`proof::separation`).
+//!    proved to be enough (`proof::of_optimum::separation`).
 //! 6. Where λ ≥ 1, the coefficients δ_i / λ are rounded such that three generators balance the rest exactly
-//!    (`proof::member_in_doubles`; `proof::member_from_exact` and `proof::pivot_to_doubles` where doubles leave a
-//!    doubt).
+//!    (`in_doubles` of that folder; `exactly` and `pivot` where doubles leave a doubt).
 //!
 //! # Complexity
 //! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).
@@ -60,7 +59,6 @@
 mod at_likely_vertex;
 pub(super) mod early;
 mod facet;
-pub(crate) mod proof;
 mod scaled;
 
 pub use facet::Facet;
@@ -70,9 +68,10 @@ pub(in crate::collision) mod tests;
 
 use self::early::posed::PosedRows;
 use self::scaled::Scaled;
+use super::proof::of_optimum;
 use super::{Gauge, Location, Query, by_lad_in_r4};
-use crate::lad::of_generators::generators::Posed;
 use crate::lad::of_generators::goal::Goal;
+use crate::lad::of_generators::seam::generators::Posed;
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 use crate::zonotope::posed_query::PosedQuery;
@@ -106,7 +105,7 @@ fn locate_in_space(query: &Query<'_, 3>, tally: &mut dyn Tally) -> Location<3> {
         return clear.location();
     }
     match at_likely_vertex::told(query, tally) {
-        Ok(told) => proof::of_told(told, tally),
+        Ok(told) => of_optimum::of_told(told, tally),
         Err(vertex) => Facet::find_proof(query, vertex, tally).into_location(tally),
     }
 }

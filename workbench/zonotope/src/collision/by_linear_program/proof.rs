@@ -1,10 +1,10 @@
 //! What the numbers of an optimum prove, exactly.
 
-use super::Answer;
-use crate::collision::basis_solve::near_witness;
-use crate::collision::query::{Location, Separation};
+use super::answer::Answer;
+use crate::collision::proof::balance::solve::near_witness;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
+use crate::zonotope::location::{Location, Separation};
 use crate::zonotope::query::Query;
 
 /// The separation that a direction or its opposite is.

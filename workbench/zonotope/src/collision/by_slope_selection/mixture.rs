@@ -8,9 +8,9 @@
 use super::chain::Chain;
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
-use crate::collision::by_lad::proof::basis::Basis;
-use crate::collision::by_lad::proof::member_from_exact::rounded;
-use crate::collision::to_doubles::rounded_off_a_basis;
+use crate::collision::proof::balance::basis::Basis;
+use crate::collision::proof::of_optimum::exactly::rounded;
+use crate::collision::proof::to_doubles::rounded_off_a_basis;
 use crate::collision::{Query, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;

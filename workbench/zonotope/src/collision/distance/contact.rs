@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use super::answer::{Feature, FeatureKind, Proximity};
 use crate::collision::Witness;
-use crate::lad::of_generators::generators::{Generators, KernelQuery, Posed};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Posed};
 use crate::lad::of_generators::span::prism::Prism;
 use crate::lad::of_generators::{ladder, solve};
 use crate::numeric::Rational;

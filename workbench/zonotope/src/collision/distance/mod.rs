@@ -22,7 +22,6 @@ pub mod brute_force;
 pub mod by_support_simplex;
 mod contact;
 mod method;
-mod of_bodies;
 pub mod penetration;
 
 pub use answer::{Feature, FeatureKind, Gap, Proximity};

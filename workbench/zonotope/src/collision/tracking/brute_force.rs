@@ -45,7 +45,7 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::tightest_facet::{TightestFacet, Vector};
+use crate::collision::proof::tightest_facet::{TightestFacet, Vector};
 use crate::collision::{PosedQuery, Status};
 use crate::numeric::exact_linear::{Span, exact};
 

@@ -22,7 +22,7 @@
 //! 1. `solve` holds the steps that the methods share, in order; it is the file to read first.
 //! 2. `departure` finds a point off the directions' span, if there is one; `scaled` takes coordinates of the span, of
 //!    ordinary size, and one direction for each line.
-//! 3. `by_row_generation/generation` and `normal_simplex` solve the linear program over the normals found so far, in
+//! 3. `row_generation/generation` and `normal_simplex` solve the linear program over the normals found so far, in
 //!    doubles.
 //! 4. [`zonotope::ray_exit`](crate::zonotope) finds the facet through which the ray to a point outside leaves; its
 //!    normal joins the program.
@@ -30,7 +30,7 @@
 //! 6. `contain` enlarges coefficients until every point is inside, exactly.
 //!
 //! That is all for ordinary input. Three pieces serve the rest, each behind one function: `contain/flat_center` for
-//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `rational/refine`
+//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `solve/refine`
 //! for small problems whose bounds do not meet.
 
 #[cfg(feature = "linear-programming")]
@@ -47,14 +47,15 @@ mod method;
 pub mod papers_program;
 mod problem;
 pub mod rational;
+mod row_generation;
 mod scaled;
 mod solve;
 #[cfg(feature = "linear-programming")]
 pub mod support_form;
 
 pub use answer::{DirectedZonotope, DirectionsProof, Enclosure, ExactOptimum, Multiplier, OPTIMAL_GAP, OffSpan};
-pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
+pub(crate) use row_generation::generation::Generation;
 pub(crate) use solve::{cheapest_center_along, contained};
 
 pub use by_row_generation::{min_length_along, min_length_along_counted};

@@ -3,18 +3,20 @@
 //! The steps in the order of the code, each with the file that takes it:
 //! 1. `span` finds the span of the directions exactly, and a point off it if there is one;
 //! 2. `scaled` takes coordinates of ordinary size, and one direction for each line;
-//! 3. `by_row_generation` guesses normals, centre and coefficients in doubles;
+//! 3. `row_generation` guesses normals, centre and coefficients in doubles;
 //! 4. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove;
 //! 5. `contain` finds centre and coefficients in doubles with which every point is inside, exactly;
-//! 6. `rational` finds the optimum in rationals where the bounds do not meet and the problem is small.
+//! 6. `refine` takes the optimum in rationals from `rational` where the bounds do not meet and the problem is small.
 
+mod refine;
+
+use self::refine::refine;
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
-use super::by_row_generation::Generation;
 use super::contain::contain;
 use super::contain::flat_center::{cheapest_center, nearest_doubles};
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
-use super::rational::refine;
+use super::row_generation::generation::Generation;
 use super::scaled::{KeptDirection, Scaled, Setting};
 use crate::enclosing::answer::Effort;
 use crate::enclosing::fixed_directions::departure::first_departure;

@@ -8,6 +8,8 @@
 //! cell's middle and within 2 sqrt(d − 1)/m of each of its corners. The faces lie outside the open unit ball, where x ↦
 //! x/|x| increases no distance. So the bounds hold for the unit vectors as well.
 
+pub use crate::enclosing::cube_grids::{cell_corners, cell_middles};
+
 /// The nets that [`by_direction_net`](super::by_direction_net) takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Net {
@@ -62,106 +64,5 @@ impl Net {
             }
         }
         net.iter().map(|v| std::array::from_fn(|c| if c < R { v[c] } else { 0.0 })).collect()
-    }
-}
-
-/// The middles of the cells of grids with `cells` cells along a side, scaled to length 1: every unit vector or its
-/// opposite is within sqrt(D − 1) / `cells` of one of them, but for rounding.
-pub fn cell_middles<const D: usize>(cells: usize) -> Vec<[f64; D]> {
-    let middle = |i: usize| (2 * i + 1) as f64 / cells as f64 - 1.0;
-    on_faces(cells, middle)
-}
-
-/// The corners of the cells of grids with `cells` cells along a side, scaled to length 1, each direction once: every
-/// unit vector or its opposite lies in the cone of a cell all of whose corners are within 2 sqrt(D − 1) / `cells` of
-/// it.
-pub fn cell_corners<const D: usize>(cells: usize) -> Vec<[f64; D]> {
-    let corner = |i: usize| 2.0 * i as f64 / cells as f64 - 1.0;
-    let mut corners: Vec<[f64; D]> = on_faces(cells + 1, corner);
-    // A corner on an edge of the cube belongs to several faces, from which it may come with either sign.
-    for u in &mut corners {
-        if u.iter().find(|c| **c != 0.0).is_some_and(|c| *c < 0.0) {
-            *u = u.map(|c| -c);
-        }
-    }
-    corners.sort_by(|a, b| {
-        a.iter().zip(b).map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
-    });
-    corners.dedup_by(|a, b| a.iter().zip(b.iter()).all(|(x, y)| (*x - *y).abs() < 1e-12));
-    corners
-}
-
-/// Points of grids on the D faces x_i = 1, `count` of them along a side at the coordinates that `place` gives, scaled
-/// to length 1.
-fn on_faces<const D: usize>(count: usize, place: impl Fn(usize) -> f64) -> Vec<[f64; D]> {
-    let mut found = Vec::new();
-    for face in 0..D {
-        let others: Vec<usize> = (0..D).filter(|&c| c != face).collect();
-        let mut index = vec![0; others.len()];
-        loop {
-            let mut u = [0.0; D];
-            u[face] = 1.0;
-            for (&c, &i) in others.iter().zip(&index) {
-                u[c] = place(i);
-            }
-            let length = u.iter().map(|c| c * c).sum::<f64>().sqrt();
-            found.push(u.map(|c| c / length));
-            let Some(slot) = index.iter().position(|&i| i + 1 < count) else { break };
-            index[..slot].fill(0);
-            index[slot] += 1;
-        }
-    }
-    found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use rand::{RngExt, SeedableRng};
-
-    fn distance<const D: usize>(u: &[f64; D], v: &[f64; D]) -> f64 {
-        let along = |sign: f64| u.iter().zip(v).map(|(a, b)| (a - sign * b) * (a - sign * b)).sum::<f64>().sqrt();
-        along(1.0).min(along(-1.0))
-    }
-
-    fn random_unit<const D: usize>(rng: &mut rand_pcg::Pcg64) -> [f64; D] {
-        loop {
-            let v: [f64; D] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
-            let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-            if length > 0.1 && length <= 1.0 {
-                return v.map(|c| c / length);
-            }
-        }
-    }
-
-    fn keeps_its_mesh<const D: usize>() {
-        let mut rng = rand_pcg::Pcg64::seed_from_u64(3);
-        for cells in [1, 2, 3, 6] {
-            let (middles, corners) = (cell_middles::<D>(cells), cell_corners::<D>(cells));
-            assert_eq!(middles.len(), D * cells.pow(D as u32 - 1));
-            let mesh = (D as f64 - 1.0).sqrt() / cells as f64 + 1e-12;
-            for _ in 0..300 {
-                let u = random_unit::<D>(&mut rng);
-                assert!(middles.iter().any(|v| distance(&u, v) <= mesh));
-                // The 2^(D − 1) corners of the cell of u are within the bound, and they are at least D.
-                assert!(corners.iter().filter(|v| distance(&u, v) <= 2.0 * mesh).count() >= D);
-            }
-        }
-    }
-
-    #[test]
-    fn every_direction_is_near_one_of_the_net() {
-        keeps_its_mesh::<2>();
-        keeps_its_mesh::<3>();
-        keeps_its_mesh::<4>();
-    }
-
-    #[test]
-    fn nets_of_the_plane_by_hand() {
-        let half = 0.5f64.sqrt();
-        assert_eq!(cell_middles::<2>(1), [[1.0, 0.0], [0.0, 1.0]]);
-        let corners = cell_corners::<2>(2);
-        assert_eq!(corners.len(), 4);
-        assert!(corners.iter().any(|u| (u[0] - half).abs() < 1e-15 && (u[1] + half).abs() < 1e-15));
     }
 }

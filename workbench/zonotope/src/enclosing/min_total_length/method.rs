@@ -3,7 +3,7 @@
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::by_direction_net::min_length_by_net_counted;
 use super::by_vertex_sets::min_length_by_vertex_sets;
-use super::direction_net::Net;
+use crate::enclosing::min_total_length::direction_net::Net;
 use crate::tally::Tally;
 
 /// A method whose answers contain the points exactly and prove their lower bounds.

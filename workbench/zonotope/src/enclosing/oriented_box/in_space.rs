@@ -45,7 +45,7 @@
 //! ```
 
 use super::{OrientedBox, in_units, out_of_units, smallest_rectangle};
-use crate::enclosing::min_total_length::direction_net::cell_corners;
+use crate::enclosing::cube_grids::cell_corners;
 use crate::hull::in_space::{SolidHull, solid_hull};
 use crate::numeric::linear::{cross, dot};
 

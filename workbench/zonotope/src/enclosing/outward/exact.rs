@@ -7,7 +7,7 @@
 //! E_k − E_n| along each axis.
 
 use super::areas::{area_of_centered, area_of_ordered};
-use super::{Outward, widened};
+use super::widened::{Outward, widened};
 use crate::enclosing::bisectors::Frame;
 use crate::enclosing::centered_zonogon::{BoundaryVertex, CenteredZonogon};
 use crate::numeric::dyadic::Dyadic;

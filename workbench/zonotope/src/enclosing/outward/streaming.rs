@@ -4,7 +4,7 @@
 //! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O)
 //! is Σ (vertex − O) × (next vertex − vertex) over half the boundary; no term is negative.
 
-use super::{Outward, sense, widened};
+use super::widened::{Outward, sense, widened};
 use crate::enclosing::bisectors::Frame;
 use crate::enclosing::boundary_vertex::BoundaryVertex;
 use crate::enclosing::half_turn::{EdgeVisitor, HalfTurn};

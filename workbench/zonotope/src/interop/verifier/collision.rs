@@ -6,8 +6,9 @@ use ::verifier::{
 };
 
 use super::fraction;
+use crate::collision::Query;
 use crate::collision::distance::Gap;
-use crate::collision::{Location, Query, Separation, Status};
+use crate::zonotope::location::{Location, Separation, Status};
 
 /// The query as the verifier takes it.
 pub fn displaced<const D: usize>(query: &Query<'_, D>) -> Displaced {

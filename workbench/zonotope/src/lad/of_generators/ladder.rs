@@ -34,11 +34,13 @@ use super::certify::rounded_optimum::RoundedOptimum;
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
 use super::goal::Goal;
-use super::guess::aim::{Aim, Guess};
+use super::guess::aim::Aim;
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
-use super::optimum::{FlatOptimum, Optimum, Told};
+use super::optimum::{FlatOptimum, Optimum};
+use super::plane::guess::Guess;
 use super::problem::Problem;
+use super::seam::generators::KernelQuery;
 use super::search::Searched;
 use super::search::best_pair::{PAIRS_LIMIT, best_pair};
 use super::search::class_meetings::{ClassesFound, search_meetings};
@@ -48,7 +50,7 @@ use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
 use super::support::separates;
-use crate::lad::of_generators::generators::KernelQuery;
+use super::told::Told;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
@@ -262,7 +264,7 @@ impl Climb<'_, '_> {
         self.guess = guess.map(|guess| (guess, 1.0));
         Err(match (guess, self.problem.goal) {
             (None, _) => Rung::CorrectedSample,
-            (Some(_), Goal::Location | Goal::Proof) => Rung::SeparatingGuess,
+            (Some(_), Goal::Location | Goal::Proof(_)) => Rung::SeparatingGuess,
             (Some(_), Goal::Gauge) => Rung::SampledCell,
         })
     }
@@ -374,11 +376,11 @@ impl Climb<'_, '_> {
 
     /// The proof by a vertex of which doubles certify too little, if none was looked for before the certificate.
     fn told_by(&mut self, vertex: [usize; 2]) -> Option<Told> {
-        if self.problem.goal != Goal::Proof || self.problem.is_proved_first() {
+        if self.problem.goal.at_vertex().is_none() || self.problem.is_proved_first() {
             return None;
         }
         self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-        self.problem.location_by_pair(vertex)
+        self.problem.proof_at(vertex)
     }
 
     fn sample(&self) -> &Sample {

@@ -23,32 +23,31 @@
 //! | [`exact`] | an exact optimum | an answer | never |
 //! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
-//! Beside the stages: [`generators`] is the seam, what the kernel asks of whoever holds the generators, and [`frame`]
-//! puts a pose in between, with the matrix of [`linear_map`]; [`plane`] has the coordinates of the plane of directions;
-//! [`span`] makes bodies that do not span space into prisms that do; [`support`] evaluates h(u) in one pass;
-//! [`problem`] and [`optimum`] are what goes in and what comes out;
-//! [`nearest_gauge`] has the last digits of the gauge.
+//! Beside the stages: [`seam`] has what the kernel asks of whoever holds the generators, under a pose or not;
+//! [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms
+//! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] and [`told`]
+//! what comes out; [`nearest_gauge`] has the last digits of the gauge. The kernel proves no location: a caller that
+//! wants one hands a function down ([`goal::AtVertex`]), which looks for a proof at the vertices of a search.
 
 pub(crate) mod cells;
 pub(crate) mod certify;
 pub(crate) mod exact;
-pub(crate) mod frame;
-pub(crate) mod generators;
 pub(crate) mod goal;
 pub(crate) mod guess;
 pub(crate) mod ladder;
-pub(crate) mod linear_map;
 pub(crate) mod nearest_gauge;
 pub(crate) mod optimum;
 pub(crate) mod plane;
 pub(crate) mod problem;
+pub(crate) mod seam;
 pub(crate) mod search;
 pub(crate) mod span;
 pub(crate) mod support;
+pub(crate) mod told;
 
 use self::goal::Goal;
 use self::optimum::Optimum;
-use crate::lad::of_generators::generators::KernelQuery;
+use super::of_generators::seam::generators::KernelQuery;
 use crate::tally::Tally;
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).

@@ -11,9 +11,9 @@
 use super::certify::gauge_interval::DecidedOptimum;
 use super::certify::unit_gauge_bound::unit_gauge_bound;
 use super::exact::solve::exact_gauge;
-use super::generators::KernelQuery;
 use super::ladder::exact_of;
 use super::optimum::Optimum;
+use super::seam::generators::KernelQuery;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;

@@ -4,7 +4,7 @@
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
 use super::span::prism::Prism;
-use crate::collision::Separation;
+use super::told::Told;
 
 /// The optimum of a query, or a direction that made it unnecessary.
 #[derive(Debug)]
@@ -21,30 +21,6 @@ pub(crate) enum Optimum {
     Flat(Box<FlatOptimum>),
 }
 
-/// A location that is proved without the optimum.
-#[derive(Debug, Clone)]
-pub(crate) enum Told {
-    /// A direction that separates.
-    Separated([f64; 3]),
-    /// A direction that separates though rounding leaves no room for it in doubles: the exact normal of a facet that
-    /// the displacement is beyond, or doubles near it.
-    Beyond(Separation<3>),
-    /// Coefficients in [−1, 1] that combine to the displacement, which is inside.
-    Combined {
-        /// One for each generator.
-        coefficients: Vec<f64>,
-        /// The three generators whose coefficients make up for all rounding.
-        basis: Vec<usize>,
-    },
-    /// The same of a displacement on the boundary.
-    Touching {
-        /// One for each generator.
-        coefficients: Vec<f64>,
-        /// The three generators whose coefficients make up for all rounding.
-        basis: Vec<usize>,
-    },
-}
-
 /// The optimum for a body in a plane, by way of a prism.
 #[derive(Debug)]
 pub(crate) struct FlatOptimum {
@@ -52,23 +28,6 @@ pub(crate) struct FlatOptimum {
     pub(crate) axis: usize,
     pub(crate) prism: Prism,
     pub(crate) optimum: Optimum,
-}
-
-impl Told {
-    /// The proof of a displacement that is inside, with the basis in any order.
-    pub(crate) fn combined(coefficients: Vec<f64>, basis: [usize; 3]) -> Self {
-        Self::Combined { coefficients, basis: in_order(basis) }
-    }
-
-    /// The proof of a displacement on the boundary, with the basis in any order.
-    pub(crate) fn touching(coefficients: Vec<f64>, basis: [usize; 3]) -> Self {
-        Self::Touching { coefficients, basis: in_order(basis) }
-    }
-}
-
-fn in_order(mut basis: [usize; 3]) -> Vec<usize> {
-    basis.sort_unstable();
-    basis.to_vec()
 }
 
 impl Optimum {

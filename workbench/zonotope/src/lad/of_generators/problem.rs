@@ -1,12 +1,11 @@
 //! The kernel's problem for one query: minimise h(u) = Σ |v_i · u| over the plane of directions u with u · p = 1.
 
-use super::certify::facet_of_pair::location_by_pair;
 use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::goal::Goal;
-use super::optimum::Told;
 use super::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::generators::KernelQuery;
+use super::seam::generators::KernelQuery;
+use super::told::Told;
 use crate::numeric::bounded::BoundedVector;
 
 /// Of more generators than this, a vertex is certified before a location is proved from it: for a separating direction,
@@ -37,13 +36,13 @@ impl<'q> Problem<'q> {
 
     /// Whether a location is proved from a vertex before the vertex is certified.
     pub(crate) fn is_proved_first(&self) -> bool {
-        self.goal == Goal::Proof && self.query.len() <= PROOF_LIMIT
+        self.goal.at_vertex().is_some() && self.query.len() <= PROOF_LIMIT
     }
 
-    /// Where the displacement lies, if a proof is all that is asked, and the facet of two generators gives one. O(n).
-    pub(crate) fn location_by_pair(&self, pair: [usize; 2]) -> Option<Told> {
-        let query = Some(self.query).filter(|_| self.goal == Goal::Proof)?;
-        location_by_pair(&query.as_query()?, &self.p, pair)
+    /// The proof of the location at the vertex of two generators, if a proof is all that is asked and the vertex gives
+    /// one. O(n).
+    pub(crate) fn proof_at(&self, pair: [usize; 2]) -> Option<Told> {
+        self.goal.at_vertex()?(&self.query.as_query()?, &self.p, pair)
     }
 
     /// Whether an optimum that doubles prove answers what the caller wants to know.

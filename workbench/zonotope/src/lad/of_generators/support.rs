@@ -1,6 +1,6 @@
 //! Separation by one pass in doubles: whether a direction u has u · p > h(u), with every rounding error bounded.
 
-use crate::lad::of_generators::generators::Generators;
+use super::seam::generators::Generators;
 use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::linear::dot;
 

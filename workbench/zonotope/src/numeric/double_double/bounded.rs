@@ -17,6 +17,7 @@ use super::plain::DoubleDouble;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::linear::ring_of_values;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::numeric::tolerance::{DOUBLE_DOUBLE_BOUND, DOUBLE_DOUBLE_OPERATION, UNDERFLOW, UNIT};
 
@@ -208,6 +209,8 @@ impl Div for BoundedDoubleDouble {
         )
     }
 }
+
+ring_of_values!(BoundedDoubleDouble, BoundedDoubleDouble::exact(0.0), BoundedDoubleDouble::exact(1.0));
 
 #[cfg(test)]
 mod tests {

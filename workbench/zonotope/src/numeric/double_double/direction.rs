@@ -6,7 +6,7 @@
 //! takes a thirtieth of the time, comes first: it is far enough from 0 for most vectors.
 
 use super::BoundedDoubleDouble;
-use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::{PAIRABLE_EXPONENT, PAIRABLE_SIZES, PRODUCT_OF_ROUNDED_VECTORS, PRODUCT_UNDERFLOW};
 
@@ -20,7 +20,7 @@ pub(crate) struct DoubleDoubleDirection {
 
 impl DoubleDoubleDirection {
     /// The rounded coordinates of an exact direction.
-    pub(crate) fn of(direction: &ExactVector) -> Self {
+    pub(crate) fn of(direction: &[Dyadic; 3]) -> Self {
         let terms = direction.each_ref().map(|c| {
             let exponent = c.binary_exponent()?;
             Some((BoundedDoubleDouble::of(&c.clone().scaled(-exponent)), exponent))
@@ -69,7 +69,6 @@ impl DoubleDoubleDirection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::dyadic::Dyadic;
     use crate::numeric::exact_linear::{cross, dot, exact};
     use proptest::prelude::*;
 

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::numeric::exact_product::exact_product;
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::linear::ring_of_values;
 
 /// `high` + `low`, |low| ≤ u |high|. With u = 2^-53 sums are within 16 u² of the operands' magnitudes, products,
 /// quotients and roots within 16 u² of themselves, but for underflow.
@@ -93,6 +94,8 @@ impl Div for DoubleDouble {
         Self::ordered_sum(head, rest.high / divisor.high)
     }
 }
+
+ring_of_values!(DoubleDouble, DoubleDouble { high: 0.0, low: 0.0 }, DoubleDouble { high: 1.0, low: 0.0 });
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `vector` | vectors of space with exact coordinates |
 //! | `elimination` | inverses, solutions and dependences, in rationals |
+//! | `simplex` | linear programs in rationals |
 //! | `root` | square roots of exact fractions, which lengths are, rounded down, up and to the nearest double |
 //! | `span` | the span of vectors: rank, coordinates that tell its vectors apart, directions orthogonal to it |
 //!
@@ -11,6 +12,7 @@
 
 mod elimination;
 pub(crate) mod root;
+pub(crate) mod simplex;
 mod span;
 mod vector;
 

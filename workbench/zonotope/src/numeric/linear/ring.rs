@@ -1,10 +1,9 @@
-//! What numbers must be able to do for products and determinants.
+//! What numbers must be able to do for products and determinants. Numbers with bounds and pairs of doubles are rings
+//! where they are defined, as they rest on products themselves.
 
 use dashu_int::IBig;
 
 use crate::numeric::Rational;
-use crate::numeric::bounded::Bounded;
-use crate::numeric::double_double::{BoundedDoubleDouble, DoubleDouble};
 use crate::numeric::dyadic::Dyadic;
 
 /// Numbers that are added, subtracted and multiplied: exactly, or rounded as their type says.
@@ -28,7 +27,7 @@ pub(crate) trait Ring: Clone {
 /// Numbers of a few words: their operators take values.
 macro_rules! ring_of_values {
     ($number:ty, $zero:expr, $one:expr) => {
-        impl Ring for $number {
+        impl $crate::numeric::linear::Ring for $number {
             const ZERO: Self = $zero;
             const ONE: Self = $one;
             #[inline(always)]
@@ -50,6 +49,8 @@ macro_rules! ring_of_values {
         }
     };
 }
+
+pub(crate) use ring_of_values;
 
 /// Numbers of any length: their operators take references, and a product with 0 is worth leaving out.
 macro_rules! ring_of_long_numbers {
@@ -74,9 +75,6 @@ macro_rules! ring_of_long_numbers {
 }
 
 ring_of_values!(f64, 0.0, 1.0);
-ring_of_values!(Bounded, Bounded::exact(0.0), Bounded::exact(1.0));
-ring_of_values!(BoundedDoubleDouble, BoundedDoubleDouble::exact(0.0), BoundedDoubleDouble::exact(1.0));
-ring_of_values!(DoubleDouble, DoubleDouble { high: 0.0, low: 0.0 }, DoubleDouble { high: 1.0, low: 0.0 });
 ring_of_long_numbers!(Dyadic, Dyadic::zero(), Dyadic::one());
 ring_of_long_numbers!(Rational, Rational::ZERO, Rational::ONE);
 ring_of_long_numbers!(IBig, IBig::ZERO, IBig::ONE);

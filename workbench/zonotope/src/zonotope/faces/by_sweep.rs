@@ -55,16 +55,14 @@
 //! assert_eq!([lattice.vertex_count(), lattice.edge_count(), lattice.facet_count()], [8, 12, 6]);
 //! ```
 
-use super::FacesError;
 use super::circles::{Circles, Crossings};
+use super::error::FacesError;
+pub use super::error::MAX_DIRECTIONS;
 use super::lattice::FaceLattice;
 use super::slots::Slots;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::Directions;
-
-/// The greatest number of directions whose faces have 32-bit indices.
-pub const MAX_DIRECTIONS: usize = 46_000;
 
 /// The faces of a zonotope with at least two directions.
 ///

@@ -15,6 +15,7 @@ pub mod by_recursion;
 pub mod by_sweep;
 mod circles;
 mod counts;
+mod error;
 mod export;
 mod lattice;
 mod measures;
@@ -27,9 +28,8 @@ mod tests;
 
 use std::cmp::Ordering;
 
-use thiserror::Error;
-
 pub(super) use counts::space_counts;
+pub use error::FacesError;
 pub use lattice::{Edge, FaceLattice, Facet, Vertex, Zone};
 pub use measures::Estimate;
 pub use stars::Stars;
@@ -52,21 +52,6 @@ pub enum Faces {
     Flat(FaceLattice),
     /// A body with interior.
     Solid(FaceLattice),
-}
-
-/// Why faces are not listed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum FacesError {
-    /// So many faces that their indices would not fit 32 bits.
-    #[error(
-        "{directions} directions of generators are more than {}, the most whose faces have 32-bit indices",
-        by_sweep::MAX_DIRECTIONS
-    )]
-    TooManyDirections {
-        /// How many directions there are.
-        directions: usize,
-    },
 }
 
 /// The faces of a zonotope, by [`by_sweep`].

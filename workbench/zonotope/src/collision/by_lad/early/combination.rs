@@ -12,7 +12,7 @@ use crate::collision::Witness;
 use crate::collision::by_lad::early::correcting_basis::correcting_basis;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product, size};

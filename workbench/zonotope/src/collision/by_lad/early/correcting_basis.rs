@@ -3,12 +3,10 @@
 use crate::collision::Query;
 use crate::collision::by_lad::early::huber_dual::WELL_WITHIN;
 use crate::collision::by_lad::early::passes::EarlyQuery;
+use crate::collision::proof::balance::well_spread::well_spread;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
-
-/// How many generators the basis is chosen from.
-const BASIS_SAMPLE: usize = 16;
 
 /// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is
 /// larger than `rest`.
@@ -80,22 +78,4 @@ fn corrects<Q: EarlyQuery>(query: &Q, basis: [usize; 3], coefficients: &[f64], r
         let across = sum_norm(&normals[k]) + Q::DETERMINANT_ERROR * volume / lengths[k] + PRODUCT_UNDERFLOW;
         coefficients[basis[k]].abs() + rest * across / determinant * LONG_SUM < 1.0
     })
-}
-
-/// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
-pub(crate) fn well_spread(count: usize, generator: impl Fn(usize) -> [f64; 3]) -> Option<[usize; 3]> {
-    let step = count.div_ceil(BASIS_SAMPLE).max(1);
-    let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
-        let keyed = (0..count).step_by(step).map(|i| (key(&generator(i)), i));
-        keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1
-    };
-    let first = best(&|v| dot(v, v));
-    let a = (first != usize::MAX).then(|| generator(first))?;
-    let second = best(&|v| {
-        let product = cross(&a, v);
-        dot(&product, &product)
-    });
-    let normal = (second != usize::MAX).then(|| cross(&a, &generator(second)))?;
-    let third = best(&|v| dot(&normal, v).abs());
-    (third != usize::MAX && third != first && third != second).then_some([first, second, third])
 }

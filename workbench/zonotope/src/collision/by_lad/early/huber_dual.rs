@@ -12,7 +12,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::passes::{Carried, Passes, Runs, len};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::lanes::body_sums::{add_square, sizes, squares, weighted};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};

@@ -13,7 +13,7 @@ use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::body_sums::squares_at;

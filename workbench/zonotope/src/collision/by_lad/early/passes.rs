@@ -8,8 +8,8 @@
 use std::ops::Range;
 
 use crate::collision::Query;
-use crate::lad::of_generators::generators::{Generators, KernelQuery};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::generators::{Generators, KernelQuery};
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::sum_norm;

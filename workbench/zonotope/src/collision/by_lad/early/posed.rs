@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes, Runs};
 use crate::collision::{PosedQuery, Query};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::lanes::bounded_sum_near;
 use crate::numeric::lanes::rows::Rows;

@@ -9,7 +9,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::passes::{Carried, EarlyQuery, Runs};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, clipped, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};

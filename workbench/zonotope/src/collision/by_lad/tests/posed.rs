@@ -4,7 +4,7 @@ use crate::collision::by_lad::early::passes::EarlyQuery;
 use crate::collision::by_lad::early::posed::PosedRows;
 use crate::collision::by_lad::{gauge_posed, locate, locate_posed};
 use crate::collision::{Location, Query, Separation, Status};
-use crate::lad::of_generators::generators::{Generators, Posed};
+use crate::lad::of_generators::seam::generators::{Generators, Posed};
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;

@@ -5,8 +5,8 @@
 //! simplex, and the next x is nearer. So no simplex occurs twice; there are finitely many, and the descent ends.
 
 use super::exact_simplex::ExactSimplex;
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, multiple, negated, sum};
 

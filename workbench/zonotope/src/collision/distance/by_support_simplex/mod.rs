@@ -74,7 +74,7 @@ mod tests;
 use super::Proximity;
 use crate::collision::by_lad::{locate_counted, locate_posed_counted};
 use crate::collision::{Location, Separation};
-use crate::lad::of_generators::generators::Posed;
+use crate::lad::of_generators::seam::generators::Posed;
 use crate::numeric::exact_linear::exact;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;

@@ -1,8 +1,8 @@
 //! Extreme vertices of a zonotope as seen from a displacement, in doubles of ordinary size.
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};
 use crate::numeric::scaling::{PowerOfTwo, binary_exponent};

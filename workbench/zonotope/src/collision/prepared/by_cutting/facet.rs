@@ -4,11 +4,11 @@
 use std::cmp::Ordering;
 
 use super::vertex::Vertex;
-use crate::collision::by_lad::proof;
+use crate::collision::proof::of_optimum;
 use crate::collision::{Gauge, Location, Status};
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
 use crate::numeric::exact_linear::negated;
 use crate::zonotope::query::Query;
 
@@ -72,7 +72,7 @@ impl<'b> Facet<'b> {
             optimum.basis.iter().for_each(|&index| signs[index] = 0);
             Optimum::Exact(Box::new(optimum.with_signs(signs)))
         });
-        proof::location(&self.query, &optimum, &mut ())
+        of_optimum::location(&self.query, &optimum, &mut ())
     }
 
     /// The gauge with where the point lies. O(n).

@@ -6,12 +6,12 @@ use super::DirectionTree;
 use super::clear::Told;
 use super::query::TreeQuery;
 use crate::collision::by_lad::early::combination::Written;
-use crate::collision::by_lad::proof;
+use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Separation, Status, Witness};
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::solve;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::tolerance::NODE_BODY_STRETCH;
@@ -134,7 +134,7 @@ impl Located<'_> {
     }
 
     fn expanded_facet(&self, optimum: &Optimum) -> Location<3> {
-        in_order_of_bodies(proof::location(&self.query, optimum, &mut ()), &[self.query.tree])
+        in_order_of_bodies(of_optimum::location(&self.query, optimum, &mut ()), &[self.query.tree])
     }
 
     /// The coefficients of nodes for each generator, with three generators that make up for the rounding of sums.

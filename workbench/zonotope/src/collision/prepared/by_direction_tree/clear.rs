@@ -12,7 +12,7 @@ use super::nodes::{CHILDREN, Front, NodeBlock};
 use super::query::TreeQuery;
 use crate::collision::Location;
 use crate::collision::by_lad::early::{self, Clear};
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;

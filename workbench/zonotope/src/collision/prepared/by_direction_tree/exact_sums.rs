@@ -6,8 +6,8 @@
 
 use super::nodes::{CHILDREN, Face};
 use super::walk::{Nodes, Visitor, walk};
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::Places;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::rows::Rows;

@@ -11,13 +11,13 @@ use smallvec::SmallVec;
 use super::DirectionTree;
 use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::frame::Frame;
-use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::guess::huber_newton::Step;
 use crate::lad::of_generators::guess::huber_sums::{Moments, Others, factor, solve};
+use crate::lad::of_generators::plane::guess::Guess;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::frame::Frame;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
 

@@ -91,7 +91,7 @@ use self::exact_sums::ExactSums;
 use self::nodes::{Face, Front, leaves};
 use self::order::Ordered;
 use self::query::TreeQuery;
-use crate::collision::by_lad::proof::basis::Basis;
+use crate::collision::proof::balance::basis::Basis;
 use crate::lad::of_generators::certify::unit_gauge_bound::unit_gauge_bound;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::solve;

@@ -1,10 +1,10 @@
 //! A tree under a matrix: what the nodes tell of a cell or a direction of space.
 
 use super::DirectionTree;
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
-use crate::lad::of_generators::frame::Frame;
-use crate::lad::of_generators::generators::Part;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::Part;
+use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::rows::Rows;

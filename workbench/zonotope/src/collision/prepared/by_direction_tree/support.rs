@@ -2,8 +2,8 @@
 
 use super::DirectionTree;
 use super::query::TreeQuery;
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
-use crate::lad::of_generators::generators::Generators;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
+use crate::lad::of_generators::seam::generators::Generators;
 use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::exact_linear::{self, ExactVector, exact, negated};
 use crate::numeric::linear::dot;

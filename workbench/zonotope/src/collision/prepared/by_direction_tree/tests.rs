@@ -1,8 +1,8 @@
 use super::*;
 use crate::collision::{Location, Status, brute_force, by_lad};
 use crate::interop::verifier::check_location;
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::generators::Generators;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::Generators;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{dot, exact};
 use crate::numeric::linear;

@@ -7,7 +7,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use smallvec::SmallVec;
 
 use super::nodes::{CHILDREN, Face, NodeBlock};
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;
 use crate::numeric::lanes::octet::{Octet, splat, totals, turned};

@@ -2,10 +2,12 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::by_lad::{locate_posed, proof};
+use crate::collision::by_lad::locate_posed;
+use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Separation, Status};
-use crate::lad::of_generators::generators::Posed;
-use crate::lad::of_generators::optimum::{Optimum, Told};
+use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::generators::Posed;
+use crate::lad::of_generators::told::Told;
 use crate::zonotope::posed_query::PosedQuery;
 
 /// How two bodies meet in a frame.
@@ -64,7 +66,7 @@ impl<'b> Tracked<'b> {
             Found::Near => locate_posed(&self.query),
             Found::Separated(direction) => Location::Outside(Separation::Rounded(*direction)),
             Found::Located(location) => location.clone(),
-            Found::Rounded(optimum) => proof::location(&Posed::new(&self.query), optimum, &mut ()),
+            Found::Rounded(optimum) => of_optimum::location(&Posed::new(&self.query), optimum, &mut ()),
         };
         location.with_nearest_basis(&self.query)
     }
@@ -76,7 +78,7 @@ impl Found {
         match optimum {
             Optimum::Told(Told::Separated(direction)) => Self::Separated(direction),
             Optimum::Rounded(decided) if decided.order != Ordering::Equal => Self::Rounded(Optimum::Rounded(decided)),
-            other => Self::Located(proof::location(&Posed::new(query), &other, &mut ())),
+            other => Self::Located(of_optimum::location(&Posed::new(query), &other, &mut ())),
         }
     }
 }

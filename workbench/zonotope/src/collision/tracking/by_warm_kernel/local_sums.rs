@@ -11,9 +11,9 @@
 //! rarely: with a way of ω a frame, a cell of radius r lasts r / ω frames and costs as many generators as cross the one
 //! around it, which is about SHRINK r n. Every cell adds SHRINK ω n reads a frame, however wide it is.
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::tolerance::{CONE_ROUNDING, THIRTY_ROUNDINGS};

@@ -11,7 +11,7 @@
 //! A rule's *drift* is the distance by which it missed, between directions of length 1; it is forgotten by half each
 //! frame. The cell that a search begins with is a few drifts wide.
 
-use crate::lad::of_generators::generators::Generators;
+use crate::lad::of_generators::seam::generators::Generators;
 use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
 
 /// The drift where no rule was tried yet.

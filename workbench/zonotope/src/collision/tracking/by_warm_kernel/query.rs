@@ -6,11 +6,11 @@
 //! that the tracker predicts. All rows are there for the rungs that read them one by one.
 
 use super::local_sums::LocalSums;
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
-use crate::lad::of_generators::frame::Frame;
-use crate::lad::of_generators::generators::{Generators, KernelQuery, Part, Posed};
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Part, Posed};
+use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::rows::Rows;

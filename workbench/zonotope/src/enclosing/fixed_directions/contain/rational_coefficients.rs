@@ -1,9 +1,9 @@
 //! Coefficients for one point by a linear program in rationals: the last resort, for problems with few directions.
 
 use super::body::Body;
-use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
+use crate::numeric::exact_linear::simplex::{Column, maximize};
 
 impl<const D: usize> Body<'_, D> {
     /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.

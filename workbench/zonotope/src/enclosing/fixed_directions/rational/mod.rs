@@ -45,20 +45,15 @@
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 //! ```
 
-mod refine;
-pub(super) mod simplex;
-
 use dashu_int::ops::Abs;
 
 use super::answer::ExactOptimum;
 use super::problem::FixedDirections;
 use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::Rational;
+use crate::numeric::exact_linear::simplex::{ANY_WORK, Column, NoOptimum, maximize};
 use crate::numeric::exact_linear::{Span, hyperplane_normal, rational, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
-use simplex::{ANY_WORK, Column, NoOptimum, maximize};
-
-pub(super) use refine::refine;
 
 /// The least Σ w_i c_i with a centre, coefficients and multipliers that attain it; `None` when no zonotope along the
 /// directions contains the points.
@@ -68,7 +63,10 @@ pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>)
 }
 
 /// The same if pivots take no more than the work that is left, in products of words; `None` as well if they take more.
-fn optimum_within<const D: usize>(problem: &FixedDirections<'_, D>, work: &mut u64) -> Option<ExactOptimum<D>> {
+pub(super) fn optimum_within<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    work: &mut u64,
+) -> Option<ExactOptimum<D>> {
     let span = Span::of_doubles(problem.directions());
     if first_departure(&span, problem.points()).is_some() {
         return None;

@@ -58,7 +58,7 @@ mod along_net;
 
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::conclude::validate;
-use super::direction_net::Net;
+use crate::enclosing::min_total_length::direction_net::Net;
 use crate::tally::Tally;
 use along_net::min_length_along_net;
 

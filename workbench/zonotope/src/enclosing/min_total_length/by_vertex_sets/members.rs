@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::interior::scalar::{Scalar, values};
+use super::scalar::{Scalar, values};
 use super::vertex_sets::VertexSets;
 use crate::enclosing::fixed_directions::balanced;
 use crate::enclosing::min_total_length::box_coordinates::{BoxCoordinates, Position};

@@ -82,10 +82,12 @@
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
 
+mod cone;
 mod interior;
 mod members;
 mod outer_points;
 mod point_set;
+mod scalar;
 mod set_generation;
 mod start;
 mod vertex_sets;
@@ -99,8 +101,8 @@ use super::on_a_line::segment_around;
 use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::linear::dot;
 use crate::tally::Tally;
-use interior::scalar::Scalar;
 pub(super) use outer_points::outer_points;
+use scalar::Scalar;
 use set_generation::{WORK_LIMIT, min_length_by_set_generation};
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points

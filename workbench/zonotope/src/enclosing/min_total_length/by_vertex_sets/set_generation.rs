@@ -5,7 +5,7 @@
 //! in the next one. The loop ends when neither the vertices nor the points are farther out than ε allows, for then the
 //! lower and the upper bound are within ε.
 
-use super::interior::scalar::Scalar;
+use super::scalar::Scalar;
 use super::start::start;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::frame::Frame;

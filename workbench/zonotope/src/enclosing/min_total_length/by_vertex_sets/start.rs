@@ -1,7 +1,7 @@
 //! The points and sets that set generation begins with.
 
-use super::interior::scalar::Scalar;
 use super::members::Members;
+use super::scalar::Scalar;
 use super::vertex_sets::VertexSets;
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;

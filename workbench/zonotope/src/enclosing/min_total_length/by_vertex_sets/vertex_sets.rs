@@ -14,9 +14,9 @@
 
 use std::collections::BTreeSet;
 
-use super::interior::cone::ConeVector;
-use super::interior::scalar::{Scalar, plus, real, values, zero};
+use super::cone::ConeVector;
 use super::point_set::PointSet;
+use super::scalar::{Scalar, plus, real, values, zero};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::numeric::linear::dot;
 

@@ -4,10 +4,10 @@
 //! the generator misses. So the cells and the short lists of generators that cross them hold all signs: no list of n
 //! signs is written before a proof asks for one.
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::Places;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::lanes::octet::LANES;
 use crate::numeric::reused::{Reused, keep_lists_of};
 

@@ -4,11 +4,11 @@
 //! where those signs are right. So an optimum of the reduced problem that lies in the cell is an optimum of the
 //! whole, by convexity.
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::reused::{Reused, keep_lists_of};
 use crate::numeric::tolerance::MODERATE_SIZES;

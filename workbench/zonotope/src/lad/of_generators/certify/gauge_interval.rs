@@ -10,8 +10,8 @@ use std::cmp::Ordering;
 use super::rounded_optimum::RoundedOptimum;
 use super::unit_gauge_bound::unit_gauge_bound;
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::reused::ReusedBox;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, GAUGE_ACCURACY};
@@ -75,7 +75,7 @@ fn order(optimum: &RoundedOptimum, slack: f64, goal: Goal) -> Option<Ordering> {
     } else {
         return None;
     };
-    (goal != Goal::Gauge || error <= value * GAUGE_ACCURACY).then_some(order)
+    (!goal.is_gauge() || error <= value * GAUGE_ACCURACY).then_some(order)
 }
 
 /// `along` / `reach` with a bound for its distance from the gauge.

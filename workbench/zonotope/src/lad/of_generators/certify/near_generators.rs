@@ -1,8 +1,8 @@
 //! The generators whose sign at a vertex is not certain: those of its facet, or nearly, beside the two of the vertex.
 
-use super::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::FixedSum;
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::seam::sign_pass::FixedSum;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
 use crate::numeric::linear::dot;
 use crate::numeric::reused::Reused;

@@ -18,12 +18,12 @@
 //! is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is chosen
 //! such that δ_a and δ_b have room (`shares`).
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross, exact};
 use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::linear::dot;

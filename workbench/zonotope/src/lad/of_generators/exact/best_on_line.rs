@@ -3,8 +3,8 @@
 //! A search may end at two parallel generators, whose lines rounding has made meet far away, or it may prove nothing at
 //! all.
 
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::crossings::CrossingList;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, rounded_direction};
 use crate::numeric::linear::{cross, dot};
 

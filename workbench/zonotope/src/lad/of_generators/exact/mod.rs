@@ -9,11 +9,9 @@
 //! | [`best_on_line`] | the best vertex on the line of a generator, where a search ended at none |
 //! | [`pivot`] | whether a vertex is the optimum, and from one that is not to the best one on a line through it |
 //! | [`longest_first`] | the optimum of the longest generators, if it is that of all |
-//! | [`direction_signs`] | the signs of the generators for an exact direction, nearly all from pairs of doubles |
 
 mod best_on_line;
 mod bundle;
-pub(crate) mod direction_signs;
 pub(crate) mod longest_first;
 mod pivot;
 pub(crate) mod solve;

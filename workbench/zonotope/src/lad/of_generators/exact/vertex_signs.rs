@@ -1,9 +1,9 @@
 //! A vertex with the exact signs of all generators at its direction.
 
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::solve::{EXACT_SOLVE_LIMIT, ExactOptimum};
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, is_zero, negated, rounded_direction};
 use crate::tally::Tally;
 

@@ -9,9 +9,10 @@
 //! at once: a few steps of one pass each come so near that the cell around them is crossed by a few hundred lines, and
 //! only among these the descent begins.
 
-use super::aim::{Aim, Guess};
+use super::aim::Aim;
 use super::huber_sums::{Moments, Others, factor, solve};
 use crate::lad::of_generators::guess::vertex_descent::descend;
+use crate::lad::of_generators::plane::guess::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
 use crate::numeric::reused::Reused;

@@ -3,7 +3,7 @@
 //!
 //! | file | what it guesses from |
 //! |---|---|
-//! | [`aim`] | the guess itself, and what a guess is to allow for |
+//! | [`aim`] | the band and the size of the cell that a guess is to allow for |
 //! | [`sample`] | a part of the generators that stands for all of them |
 //! | [`huber_sums`] | sums over the lines for the objective with rounded-off kinks, and for a least-squares start |
 //! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks |
@@ -11,9 +11,11 @@
 //! | [`vertex_descent`] | the vertex at which descent along lines ends, in doubles |
 //! | [`line_search`] | the crossing of a line at which the slope along it changes its sign |
 //! | [`crossings`] | the weighted median of the places at which lines are crossed |
+//! | [`facet_coefficients`] | the coefficients of many generators of one facet, by such a median |
 
 pub(crate) mod aim;
 pub(crate) mod crossings;
+pub(crate) mod facet_coefficients;
 pub(crate) mod huber_newton;
 pub(crate) mod huber_sums;
 mod line_search;

@@ -2,9 +2,9 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::guess::aim::Guess;
+use super::guess::Guess;
 use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{Octet, total};
 use crate::numeric::lanes::octets::Octets;

@@ -20,7 +20,7 @@ pub(crate) mod narrowing;
 
 use super::cells::nested::NestedCells;
 use super::certify::rounded_optimum::RoundedOptimum;
-use super::optimum::Told;
+use super::told::Told;
 use crate::numeric::reused::ReusedBox;
 
 /// What a search in doubles leaves.

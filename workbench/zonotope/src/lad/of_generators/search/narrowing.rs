@@ -14,8 +14,9 @@ use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
-use crate::lad::of_generators::guess::aim::{Aim, Guess};
+use crate::lad::of_generators::guess::aim::Aim;
 use crate::lad::of_generators::guess::vertex_descent::descend;
+use crate::lad::of_generators::plane::guess::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::numeric::reused::Reused;
@@ -110,7 +111,7 @@ pub(crate) fn narrow_last(
     {
         let generators = last.indices_of(vertex);
         if !problem.is_known(generators)
-            && let Some(told) = problem.location_by_pair(generators)
+            && let Some(told) = problem.proof_at(generators)
         {
             return Ok(Searched::Told(told));
         }

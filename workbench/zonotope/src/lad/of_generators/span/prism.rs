@@ -8,10 +8,10 @@
 use std::array;
 use std::ops::Range;
 
-use crate::collision::{Location, Separation, Witness};
 use crate::numeric::lanes::Extents;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::SQUARABLE_SIZES;
+use crate::zonotope::location::{Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// The points and generators of a prism.

@@ -156,7 +156,7 @@ fn reported() -> Vec<Reported> {
 fn proved_square(query: &PosedQuery<'_>, direction: &[Dyadic; 3]) -> Rational {
     let posed = Posed::new(query);
     let generators =
-        (0..query.len()).map(|i| crate::lad::of_generators::generators::Generators::exact_generator(&posed, i));
+        (0..query.len()).map(|i| crate::lad::of_generators::seam::generators::Generators::exact_generator(&posed, i));
     let reach = generators.fold(Dyadic::zero(), |sum, g| sum + dot(&g, direction).abs());
     let along = dot(query.displacement(), direction) - reach;
     assert!(along.sign().is_gt());

@@ -1,9 +1,9 @@
 //! What posed trees answer: a status with a proof of constant size, which is written out when it is asked for.
 
 use super::PosedTrees;
-use crate::collision::by_lad::proof;
 use crate::collision::prepared::by_direction_tree::answer::{Found, in_order_of_bodies, is_strict};
 use crate::collision::prepared::by_direction_tree::clear::Told;
+use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Separation, Status};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::solve;
@@ -61,9 +61,9 @@ impl PosedLocated<'_> {
             Found::Told(Told::Outside(u)) => return Location::Outside(Separation::Rounded(*u)),
             Found::Told(Told::Written(location)) => location.clone(),
             Found::Told(Told::Inside(_)) => {
-                proof::location(&self.query, &solve(&self.query, Goal::Location, &mut ()), &mut ())
+                of_optimum::location(&self.query, &solve(&self.query, Goal::Location, &mut ()), &mut ())
             }
-            Found::Facet(optimum) => proof::location(&self.query, optimum, &mut ()),
+            Found::Facet(optimum) => of_optimum::location(&self.query, optimum, &mut ()),
         };
         let trees: Vec<_> = self.query.tree_parts().map(|part| part.tree).collect();
         in_order_of_bodies(in_order_of_trees.with_nearest_basis(&self.query.query), &trees)

@@ -4,7 +4,7 @@ use super::PosedTrees;
 use crate::collision::PosedQuery;
 use crate::collision::by_lad::early::{self, Clear, posed::PosedRows};
 use crate::collision::prepared::by_direction_tree::clear::Told;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded;
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, NODE_BODY_DOUBT, NODE_BODY_STRETCH, UNIT};

@@ -3,7 +3,7 @@
 //! The factorisation leaves an unknown at zero if its row depends on the rows before it, where a plain factorisation
 //! fails; and it works in any [`Scalar`], also in pairs of doubles. For these two reasons no library is used.
 
-use super::scalar::{BLOCK, Scalar};
+use crate::enclosing::min_total_length::by_vertex_sets::scalar::{BLOCK, Scalar};
 
 /// The pivot of an unknown whose row depends on the rows before it: so large that the unknown becomes zero.
 const DEPENDENT_PIVOT: f64 = 1e100;

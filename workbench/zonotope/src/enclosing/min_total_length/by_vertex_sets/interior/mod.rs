@@ -32,31 +32,30 @@
 //! # Exactness
 //! The method need not be exact: its multipliers are proved by the vertices of their zonotope, and its generators by
 //! containment. But it needs precision. Near the optimum H is ill-conditioned, for needles and clusters of points
-//! beyond what doubles resolve. So the method is generic in its [`scalar::Scalar`], and can be run again with pairs of
+//! beyond what doubles resolve. So the method is generic in its [`Scalar`], and can be run again with pairs of
 //! doubles.
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | [`scalar`] | the scalar: doubles, or pairs of doubles |
-//! | [`cone`] | vectors of the cone, the Jordan product, the step to the boundary |
 //! | [`scaling`] | the Nesterov–Todd scaling |
 //! | [`schur`] | the Schur complement |
 //! | [`cholesky`] | the Cholesky factor of the Schur complement |
 //! | [`newton`] | the equations of a step and their solution |
 //! | [`residuals`] | generators without residuals |
+//!
+//! Vectors of the cone and the scalar stand beside it ([`cone`](super::cone), [`scalar`](super::scalar)), as the sets
+//! keep them.
 
 mod cholesky;
-pub(super) mod cone;
 mod newton;
 mod residuals;
-pub(super) mod scalar;
 mod scaling;
 mod schur;
 
+use super::cone::{ConeVector, jordan};
+use super::scalar::{Scalar, values};
 use super::vertex_sets::{VertexSets, doubled_sum};
-use cone::{ConeVector, jordan};
 use newton::{Equations, Step};
-use scalar::{Scalar, values};
 use scaling::Scaling;
 
 /// A step that would leave the cone ends before its boundary, by this share of the way to the boundary.

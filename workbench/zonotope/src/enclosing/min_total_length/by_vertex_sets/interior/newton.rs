@@ -6,9 +6,9 @@
 //! and Δz follow from Δλ, which solves H Δλ = right side.
 
 use super::cholesky::Factor;
-use super::cone::ConeVector;
-use super::scalar::{Scalar, plus, zero};
 use super::scaling::Scaling;
+use crate::enclosing::min_total_length::by_vertex_sets::cone::ConeVector;
+use crate::enclosing::min_total_length::by_vertex_sets::scalar::{Scalar, plus, zero};
 use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::{VertexSets, doubled_sum_after_first};
 
 /// The equations of a step: the sets, their scalings, and the factored Schur complement.

@@ -5,7 +5,7 @@
 //! proportion to their lengths, which leaves short ones short.
 
 use super::cholesky::Cholesky;
-use super::scalar::{Scalar, plus, values, zero};
+use crate::enclosing::min_total_length::by_vertex_sets::scalar::{Scalar, plus, values, zero};
 use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::{VertexSets, doubled_sum_after_first};
 use crate::numeric::linear::dot;
 

@@ -4,8 +4,8 @@
 //! that W z and W⁻¹ s are the same point. In its coordinates slack and dual variable are equal, so a Newton step
 //! towards s ∘ z = μ treats both alike. It has the form W = β (2 v vᵀ − J) with vᵀ J v = 1.
 
-use super::cone::ConeVector;
-use super::scalar::Scalar;
+use crate::enclosing::min_total_length::by_vertex_sets::cone::ConeVector;
+use crate::enclosing::min_total_length::by_vertex_sets::scalar::Scalar;
 use crate::numeric::linear::dot;
 
 /// The Nesterov–Todd scaling W of a slack and a dual variable.
@@ -78,7 +78,7 @@ impl<R: Scalar, const D: usize> Scaling<R, D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enclosing::min_total_length::by_vertex_sets::interior::cone::jordan;
+    use crate::enclosing::min_total_length::by_vertex_sets::cone::jordan;
 
     #[test]
     fn a_slack_and_its_dual_are_scaled_to_the_same_point() {

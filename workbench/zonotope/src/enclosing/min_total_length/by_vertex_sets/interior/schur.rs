@@ -6,9 +6,9 @@
 //! points.
 
 use super::cholesky::Cholesky;
-use super::scalar::Scalar;
 use super::scaling::Scaling;
 use crate::enclosing::min_total_length::by_vertex_sets::point_set::PointSet;
+use crate::enclosing::min_total_length::by_vertex_sets::scalar::Scalar;
 use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::VertexSets;
 
 impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {

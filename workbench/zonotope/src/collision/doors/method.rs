@@ -1,0 +1,377 @@
+//! The methods of collision by name, with the dimensions that each works in.
+
+use std::ops::RangeInclusive;
+
+use thiserror::Error;
+
+#[cfg(feature = "linear-programming")]
+use crate::collision::by_linear_program;
+use crate::collision::{
+    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_gjk, by_lad, by_slope_selection,
+};
+#[cfg(feature = "linear-programming")]
+use crate::linear_program::Clarabel;
+use crate::tally::Tally;
+use crate::zonotope::faces::FacesError;
+
+/// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
+/// alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[non_exhaustive]
+pub enum Method {
+    /// [`by_lad`], the default; in four dimensions it is [`by_lad_in_r4`](crate::collision::by_lad_in_r4).
+    #[default]
+    ByLad,
+    /// [`by_slope_selection`], the paper's search.
+    BySlopeSelection,
+    /// [`by_explicit_faces`].
+    ByExplicitFaces,
+    /// [`by_linear_program`] with the engine [`Clarabel`].
+    #[cfg(feature = "linear-programming")]
+    ByLinearProgram,
+    /// [`by_gjk`], the only method whose answers may be wrong.
+    ByGjk,
+    /// [`brute_force`].
+    BruteForce,
+}
+
+/// What a method finds out about a displacement.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Finding<const D: usize> {
+    /// Where it lies, with a proof.
+    Located(Location<D>),
+    /// Whether it lies in the zonotope, without a location: proved, or believed by a method that is not exact.
+    Member(bool),
+    /// Nothing: the method gave up.
+    Undecided,
+}
+
+/// Why a method takes no question of this kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum MethodError {
+    /// The method does not work in this dimension.
+    #[error("`{}` does not work in {dimension} dimensions", .method.id())]
+    Dimension {
+        /// The method.
+        method: Method,
+        /// The dimension of the question.
+        dimension: usize,
+    },
+    /// The method locates displacements, but does not measure them.
+    #[error("`{}` does not compute the gauge", .0.id())]
+    NoGauge(Method),
+    /// There are more faces than the method lists.
+    #[error(transparent)]
+    Faces(#[from] FacesError),
+}
+
+impl<const D: usize> Finding<D> {
+    /// The location with its proof, if that is what was found.
+    pub fn into_location(self) -> Option<Location<D>> {
+        match self {
+            Self::Located(location) => Some(location),
+            Self::Member(_) | Self::Undecided => None,
+        }
+    }
+}
+
+impl Method {
+    /// Every method, better ones first.
+    pub const ALL: &[Self] = &[
+        Self::ByLad,
+        Self::BySlopeSelection,
+        Self::ByExplicitFaces,
+        #[cfg(feature = "linear-programming")]
+        Self::ByLinearProgram,
+        Self::ByGjk,
+        Self::BruteForce,
+    ];
+
+    /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a
+    /// proof. Above four dimensions that is brute force, whose cost grows with the power of the dimension.
+    pub fn default_in(dimension: usize) -> Self {
+        if Self::ByLad.dimensions().contains(&dimension) { Self::ByLad } else { Self::BruteForce }
+    }
+
+    /// The name of the method's file.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::ByLad => "by_lad",
+            Self::BySlopeSelection => "by_slope_selection",
+            Self::ByExplicitFaces => "by_explicit_faces",
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => "by_linear_program",
+            Self::ByGjk => "by_gjk",
+            Self::BruteForce => "brute_force",
+        }
+    }
+
+    /// The method with a name.
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|method| method.id() == id)
+    }
+
+    /// The name for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ByLad => "Kernel",
+            Self::BySlopeSelection => "Theorem 5.2: the paper's search",
+            Self::ByExplicitFaces => "Explicit faces",
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => "Linear program with a proof",
+            Self::ByGjk => "GJK in floating point",
+            Self::BruteForce => "Every facet normal in rationals",
+        }
+    }
+
+    /// The cost of a question with n generators.
+    pub fn cost(self) -> &'static str {
+        match self {
+            Self::ByLad => "O(n) expected",
+            Self::BySlopeSelection => "O(n log² n) expected",
+            Self::ByExplicitFaces => "Ω(n²)",
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => "the engine's",
+            Self::ByGjk => "O(n) a step, few steps",
+            Self::BruteForce => "O(n^D) in rationals",
+        }
+    }
+
+    /// The dimensions that the method works in.
+    pub fn dimensions(self) -> RangeInclusive<usize> {
+        match self {
+            Self::ByLad => 1..=4,
+            Self::BySlopeSelection | Self::ByExplicitFaces => 1..=3,
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => 1..=usize::MAX,
+            Self::ByGjk => 1..=7,
+            Self::BruteForce => 1..=usize::MAX,
+        }
+    }
+
+    /// Whether no answer of the method is ever wrong.
+    pub fn is_exact(self) -> bool {
+        self != Self::ByGjk
+    }
+
+    /// Whether every answer of the method is a location with its proof.
+    pub fn always_locates(self) -> bool {
+        match self {
+            Self::ByLad | Self::BySlopeSelection | Self::ByExplicitFaces | Self::BruteForce => true,
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => false,
+            Self::ByGjk => false,
+        }
+    }
+
+    /// Whether the method also computes the gauge.
+    pub fn measures(self) -> bool {
+        matches!(self, Self::ByLad | Self::ByExplicitFaces | Self::BruteForce)
+    }
+
+    /// Where a displacement lies, as far as the method finds it out. `seed` decides the time, never the answer.
+    ///
+    /// # Errors
+    /// [`MethodError::Dimension`] outside of [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too
+    /// many.
+    #[inline(never)]
+    pub fn locate<const D: usize>(
+        self,
+        question: &Query<'_, D>,
+        seed: u64,
+        tally: &mut dyn Tally,
+    ) -> Result<Finding<D>, MethodError> {
+        let located = match self {
+            Self::ByLad => match D {
+                1 => asked_in::<1, D>(question, |question| by_lad::locate_counted(question, tally)),
+                2 => asked_in::<2, D>(question, |question| by_lad::locate_counted(question, tally)),
+                3 => asked_in::<3, D>(question, |question| by_lad::locate_counted(question, tally)),
+                _ => asked_in::<4, D>(question, |question| by_lad::locate_counted(question, tally)),
+            },
+            Self::BySlopeSelection => match D {
+                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+            },
+            Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
+            #[cfg(feature = "linear-programming")]
+            Self::ByLinearProgram => {
+                let answer = by_linear_program::locate(question, &Clarabel);
+                return Ok(match (answer.location(), answer.is_member()) {
+                    (Some(location), _) => Finding::Located(location.clone()),
+                    (None, Some(is_member)) => Finding::Member(is_member),
+                    (None, None) => Finding::Undecided,
+                });
+            }
+            Self::ByGjk => {
+                let believed = match D {
+                    1 => believed_in::<1, D>(question, tally),
+                    2 => believed_in::<2, D>(question, tally),
+                    3 => believed_in::<3, D>(question, tally),
+                    4 => believed_in::<4, D>(question, tally),
+                    5 => believed_in::<5, D>(question, tally),
+                    6 => believed_in::<6, D>(question, tally),
+                    _ => believed_in::<7, D>(question, tally),
+                };
+                return believed.ok_or(MethodError::Dimension { method: self, dimension: D });
+            }
+            Self::BruteForce => Some(brute_force::locate(question)),
+        };
+        located.map(Finding::Located).ok_or(MethodError::Dimension { method: self, dimension: D })
+    }
+
+    /// The gauge of a displacement and where it lies.
+    ///
+    /// # Errors
+    /// [`MethodError::NoGauge`] unless the method [measures](Self::measures), [`MethodError::Dimension`] outside of
+    /// [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too many.
+    #[inline(never)]
+    pub fn gauge<const D: usize>(
+        self,
+        question: &Query<'_, D>,
+        tally: &mut dyn Tally,
+    ) -> Result<Gauge<D>, MethodError> {
+        let gauge = match self {
+            Self::ByLad => match D {
+                1 => measured_in::<1, D>(question, |question| by_lad::gauge_counted(question, tally)),
+                2 => measured_in::<2, D>(question, |question| by_lad::gauge_counted(question, tally)),
+                3 => measured_in::<3, D>(question, |question| by_lad::gauge_counted(question, tally)),
+                _ => measured_in::<4, D>(question, |question| by_lad::gauge_counted(question, tally)),
+            },
+            Self::ByExplicitFaces => match D {
+                1 => explicit_gauge::<1, D>(question, tally)?,
+                2 => explicit_gauge::<2, D>(question, tally)?,
+                _ => explicit_gauge::<3, D>(question, tally)?,
+            },
+            Self::BruteForce => Some(brute_force::gauge(question)),
+            _ => return Err(MethodError::NoGauge(self)),
+        };
+        gauge.ok_or(MethodError::Dimension { method: self, dimension: D })
+    }
+
+    /// [`gauge`](Self::gauge) as answers of bodies have it: within four units in the last place where the method is
+    /// exact or the kernel, its proof with the doubles nearest to the coefficients of the basis
+    /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
+    ///
+    /// # Errors
+    /// Those of [`gauge`](Self::gauge).
+    #[inline(never)]
+    pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
+        let by_kernel = match (self, D) {
+            (Self::ByLad, 1) => measured_in::<1, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 2) => measured_in::<2, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 3) => measured_in::<3, D>(question, by_lad::nearest_gauge),
+            _ => None,
+        };
+        match by_kernel {
+            Some(gauge) => Ok(gauge),
+            None => Ok(self.gauge(question, &mut ())?.with_nearest_basis(question)),
+        }
+    }
+}
+
+/// The location that a method of dimension E finds, if that is the question's dimension.
+fn asked_in<const E: usize, const D: usize>(
+    question: &Query<'_, D>,
+    locate: impl FnOnce(&Query<'_, E>) -> Location<E>,
+) -> Option<Location<D>> {
+    question.in_dimension::<E>().map(|question| in_same_dimension(locate(&question)))
+}
+
+/// What GJK believes in dimension E, if that is the question's dimension.
+fn believed_in<const E: usize, const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) -> Option<Finding<D>> {
+    question.in_dimension::<E>().map(|question| match by_gjk::locate_counted(&question, &mut &mut *tally) {
+        by_gjk::GjkAnswer::Intersecting => Finding::Member(true),
+        by_gjk::GjkAnswer::Disjoint { .. } => Finding::Member(false),
+        by_gjk::GjkAnswer::GaveUp => Finding::Undecided,
+    })
+}
+
+/// The gauge that a method of dimension E finds, if that is the question's dimension.
+fn measured_in<const E: usize, const D: usize>(
+    question: &Query<'_, D>,
+    gauge: impl FnOnce(&Query<'_, E>) -> Gauge<E>,
+) -> Option<Gauge<D>> {
+    question.in_dimension::<E>().map(|question| {
+        let Gauge { value, error, location } = gauge(&question);
+        Gauge { value, error, location: in_same_dimension(location) }
+    })
+}
+
+fn explicit_gauge<const E: usize, const D: usize>(
+    question: &Query<'_, D>,
+    tally: &mut dyn Tally,
+) -> Result<Option<Gauge<D>>, MethodError> {
+    let Some(question) = question.in_dimension::<E>() else { return Ok(None) };
+    let Gauge { value, error, location } = by_explicit_faces::gauge_counted(&question, &mut &mut *tally)?;
+    Ok(Some(Gauge { value, error, location: in_same_dimension(location) }))
+}
+
+/// A location of dimension E, which is D, as the type of dimension D.
+fn in_same_dimension<const E: usize, const D: usize>(location: Location<E>) -> Location<D> {
+    match location {
+        Location::Inside(witness) => Location::Inside(witness),
+        Location::Boundary(witness) => Location::Boundary(witness),
+        Location::Outside(Separation::Rounded(direction)) => {
+            Location::Outside(Separation::Rounded(std::array::from_fn(|axis| direction[axis])))
+        }
+        Location::Outside(Separation::Exact(direction)) => {
+            Location::Outside(Separation::Exact(Box::new(std::array::from_fn(|axis| direction[axis].clone()))))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A point with all coordinates 3 against the cube [−2, 2]^D: the gauge is 1.5.
+    fn every_method_agrees<const D: usize>() {
+        let generators: Vec<[f64; D]> =
+            (0..D).map(|axis| std::array::from_fn(|other| if other == axis { 2.0 } else { 0.0 })).collect();
+        let [outside, inside] = [[3.0; D], [1.0; D]];
+        for &method in Method::ALL {
+            for (point, is_inside) in [(outside, false), (inside, true)] {
+                let question = Query::new([0.0; D], point, &generators).expect("finite");
+                let found = method.locate(&question, 1, &mut ());
+                let refused = MethodError::Dimension { method, dimension: D };
+                if !method.dimensions().contains(&D) {
+                    assert_eq!(found, Err(refused));
+                    continue;
+                }
+                match found.expect("the method works in this dimension") {
+                    Finding::Located(location) => {
+                        assert_eq!(location.status().name() == "inside", is_inside, "{method:?}")
+                    }
+                    Finding::Member(is_member) => {
+                        assert!(!method.always_locates() && is_member == is_inside, "{method:?}");
+                    }
+                    Finding::Undecided => assert!(!method.always_locates(), "{method:?}"),
+                }
+                match method.gauge(&question, &mut ()) {
+                    Ok(gauge) => assert!(method.measures() && gauge.value == if is_inside { 0.5 } else { 1.5 }),
+                    Err(error) => assert_eq!((error, method.measures()), (MethodError::NoGauge(method), false)),
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn methods_agree_where_they_work_and_say_where_they_do_not() {
+        every_method_agrees::<1>();
+        every_method_agrees::<2>();
+        every_method_agrees::<3>();
+        every_method_agrees::<4>();
+        every_method_agrees::<5>();
+        every_method_agrees::<8>();
+    }
+
+    #[test]
+    fn names_are_unique() {
+        for &method in Method::ALL {
+            assert_eq!(Method::from_id(method.id()), Some(method));
+        }
+        assert_eq!(Method::from_id("by_luck"), None);
+    }
+}

@@ -1,0 +1,20 @@
+//! The doors: what is asked of bodies, as their methods, and the methods of collision by name.
+//!
+//! They hold no geometry of their own: each puts a question to a method, and nothing else of `collision` rests on them.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | [`Method`] | the methods by name, with the default of each dimension |
+//! | `of_bodies` | the questions as methods of [`Zonotope`](crate::zonotope::Zonotope) |
+//! | `of_prepared_bodies` | the same in space for a [`PreparedBody`](crate::zonotope::PreparedBody) |
+//! | `of_posed_bodies` | the same in space for a body under a pose, [`PosedZonotope`] |
+//! | `distance_of_bodies` | how near bodies are and how deep they overlap, as methods of both kinds of body |
+
+mod distance_of_bodies;
+mod method;
+mod of_bodies;
+mod of_posed_bodies;
+mod of_prepared_bodies;
+
+pub use method::{Finding, Method, MethodError};
+pub use of_posed_bodies::PosedZonotope;

@@ -1,0 +1,115 @@
+//! What a body is asked: methods of [`Zonotope`] that put the question to the default method of its dimension.
+//!
+//! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
+//! himself and hands it to a [`Method`].
+
+use crate::collision::{Finding, Method, Query};
+use crate::numeric::non_finite::NonFinite;
+use crate::seed::DEFAULT_SEED;
+use crate::zonotope::Zonotope;
+use crate::zonotope::location::{Gauge, Location};
+
+impl<const D: usize> Zonotope<D> {
+    /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals
+    /// above.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn contains(&self, point: [f64; D]) -> Result<bool, NonFinite> {
+        Ok(located(&Query::of_point(point, self)?).is_member())
+    }
+
+    /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating
+    /// direction. The cost is that of [`contains`](Self::contains), and a pass over the generators for the last digits
+    /// of the coefficients, which are such that a verifier takes them
+    /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn locate(&self, point: [f64; D]) -> Result<Location<D>, NonFinite> {
+        let query = Query::of_point(point, self)?;
+        Ok(located(&query).with_nearest_basis(&query))
+    }
+
+    /// How many times the body must be taken, from its centre, to hold a point, within four units in the last place;
+    /// with the proof of where the point lies. The cost is that of [`locate`](Self::locate), and a pass or two over the
+    /// generators for the last digits.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D>, NonFinite> {
+        let query = Query::of_point(point, self)?;
+        let gauge = Method::default_in(D).nearest_gauge(&query);
+        Ok(gauge.expect("the default method of a dimension measures there"))
+    }
+
+    /// Whether two closed bodies have a point in common, exactly; bodies that touch do. The cost is that of
+    /// [`contains`](Self::contains) with the generators of both.
+    pub fn intersects(&self, other: &Self) -> bool {
+        located(&Query::between(self, other)).is_member()
+    }
+
+    /// How two bodies meet, with a proof: inside if their interiors have a point in common, boundary if they only touch
+    /// (or their sum is flat), outside if they are disjoint. It locates the difference of the centres relative to the
+    /// generators of both (Lemma 5.1).
+    pub fn intersection(&self, other: &Self) -> Location<D> {
+        let query = Query::between(self, other);
+        located(&query).with_nearest_basis(&query)
+    }
+}
+
+#[inline]
+fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
+    match Method::default_in(D).locate(query, DEFAULT_SEED, &mut ()).map(Finding::into_location) {
+        Ok(Some(location)) => location,
+        _ => unreachable!("the default method of a dimension works there and locates every displacement"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Status;
+
+    fn cube<const D: usize>() -> Zonotope<D> {
+        let axis = |k: usize| std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });
+        Zonotope::new([0.0; D], (0..D).map(axis).collect()).expect("finite")
+    }
+
+    fn asked_of_a_cube<const D: usize>() {
+        let body = cube::<D>();
+        for (factor, status) in [(0.5, Status::Inside), (1.0, Status::Boundary), (1.5, Status::Outside)] {
+            let mut point = [0.25; D];
+            point[D - 1] = factor;
+            assert_eq!(body.locate(point).expect("finite").status(), status, "{D} dimensions");
+            assert_eq!(body.contains(point), Ok(factor <= 1.0), "{D} dimensions");
+            let gauge = body.gauge(point).expect("finite");
+            assert!((gauge.value - factor).abs() <= gauge.error, "{D} dimensions");
+            let other = body.translated(point.map(|c| 2.0 * c)).expect("finite");
+            assert_eq!(body.intersection(&other).status(), status, "{D} dimensions");
+            assert_eq!(body.intersects(&other), factor <= 1.0, "{D} dimensions");
+        }
+        let mut point = [0.0; D];
+        point[D - 1] = f64::INFINITY;
+        let place = format!("the end's coordinate {} is inf, not a finite number", D - 1);
+        assert_eq!(body.contains(point).map_err(|error| error.to_string()), Err(place));
+        assert!(body.locate(point).is_err() && body.gauge(point).is_err());
+    }
+
+    #[test]
+    fn a_cube_answers_in_one_to_six_dimensions() {
+        asked_of_a_cube::<1>();
+        asked_of_a_cube::<2>();
+        asked_of_a_cube::<3>();
+        asked_of_a_cube::<4>();
+        asked_of_a_cube::<5>();
+        asked_of_a_cube::<6>();
+    }
+
+    #[test]
+    fn the_space_of_dimension_zero_is_one_point() {
+        let body = Zonotope::<0>::new([], vec![[]]).expect("finite");
+        assert_eq!(body.contains([]), Ok(true));
+        assert!(body.intersects(&body));
+    }
+}

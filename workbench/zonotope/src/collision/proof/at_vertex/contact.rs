@@ -1,0 +1,206 @@
+//! The exact proof that a displacement is on the facet of two generators.
+//!
+//! Let u = ± v_a × v_b, exactly, and S the sum of the generators off the plane of the two, with the signs of their
+//! products with u. Then p is in the plane of the facet just when u · (p − S) = 0, the sign of one determinant, and on
+//! the facet if the generators in its plane combine to p − S with coefficients in [−1, 1]. Those of all but two
+//! may be any doubles, as the two make up for what is left of a vector of their plane. So a contact takes one exact sum
+//! and one exact determinant, where a search in exact arithmetic takes hundreds of operations. At an edge
+//! or a corner of the facet some coefficients are exactly 1 or −1: there the two are solved for exactly.
+
+use std::cmp::Ordering;
+
+use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::told::Told;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{self, ExactVector, exact};
+use crate::numeric::linear::{cross, dot};
+use crate::numeric::orientation::in_space::determinant_sign_of_rows;
+use crate::numeric::reused::Reused;
+use crate::numeric::signed_sum::signed_sum;
+use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
+use crate::zonotope::query::Query;
+
+/// A share of more than this is taken to be 1: then others are solved for exactly, and nothing is told if it is not.
+const NEARLY_ONE: f64 = 1.0 - 1e-9;
+
+/// The proof, from the computed normal u of two generators with u · p > 0 and the signs of all products with it.
+/// `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
+pub(super) fn touching(
+    query: &Query<'_, 3>,
+    pair: [usize; 2],
+    u: &[f64; 3],
+    signs: &mut [f64],
+    errors: &[f64; 3],
+) -> Option<Told> {
+    let [a, b] = pair.map(|i| query.generator(i));
+    let is_reversed = dot(u, &cross(&a, &b)) < 0.0;
+    let area = cross_terms(&a, &b);
+    let mut members = Reused::with_capacity(8);
+    let (mut third, mut height) = (None, 0.0);
+    for (i, v) in query.generators().enumerate() {
+        let along = dot(v, u);
+        if along.abs() > DETERMINANT_OF_ROWS * dot(&v.map(f64::abs), &area) + PRODUCT_UNDERFLOW {
+            if along.abs() > height {
+                (third, height) = (Some(i), along.abs());
+            }
+            continue;
+        }
+        match determinant_sign_of_rows(&a, &b, v) {
+            Ordering::Equal => members.push(i),
+            order => signs[i] = if (order == Ordering::Greater) != is_reversed { 1.0 } else { -1.0 },
+        }
+    }
+    let third = third?;
+    let mut is_member = Reused::with_capacity(signs.len());
+    is_member.resize(signs.len(), 0u32);
+    members.iter().for_each(|&i| is_member[i] = 1);
+    let off_plane = query.generators().zip(signs.iter()).zip(&is_member);
+    let off_plane = off_plane.filter(|(_, is_member)| **is_member == 0).map(|((v, sign), _)| (*v, *sign as i8));
+    let left = exact_linear::difference(&query.exact(), &signed_sum(off_plane));
+    let normal = exact_linear::cross(&exact(a), &exact(b));
+    if !exact_linear::dot(&normal, &left).is_zero() {
+        return None;
+    }
+    let rounded = left.each_ref().map(Dyadic::to_f64);
+    let mut pair = pair;
+    if members.len() > 2 {
+        let duals = [cross(&b, u), cross(u, &a)];
+        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
+        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
+        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&query.generator(i))).collect();
+        let shares = facet_coefficients(&vectors, plane(&rounded)).ok()?;
+        for (&i, &share) in members.iter().zip(&shares) {
+            signs[i] = if share.abs() > NEARLY_ONE { share.signum() } else { share };
+        }
+        pair = pair_of_edge(query, pair, &members, signs);
+    }
+    let others = members.iter().copied().filter(|i| !pair.contains(i));
+    let touched = Touched { query, pair, third, others, signs };
+    let of_pair = touched.coefficients(&rounded, errors).or_else(|| touched.exact_coefficients(left))?;
+    let mut coefficients = signs.to_vec();
+    for (i, coefficient) in pair.into_iter().zip(of_pair) {
+        coefficients[i] = coefficient;
+    }
+    Some(Told::touching(coefficients, [pair[0], pair[1], third]))
+}
+
+/// The two generators of the facet that make up for what the others leave: where all shares but one are at their ends,
+/// the point is on an edge, and only that one may be between its ends.
+fn pair_of_edge(query: &Query<'_, 3>, pair: [usize; 2], members: &[usize], shares: &[f64]) -> [usize; 2] {
+    let mut between = members.iter().copied().filter(|&i| shares[i].abs() < 1.0);
+    let (Some(only), None) = (between.next(), between.next()) else { return pair };
+    let v = query.generator(only);
+    let area = |i: usize| {
+        let normal = cross(&v, &query.generator(i));
+        dot(&normal, &normal)
+    };
+    if area(pair[0]) > area(pair[1]) { [only, pair[0]] } else { [only, pair[1]] }
+}
+
+/// A facet that p is in the plane of, with the shares of all its generators but two.
+struct Touched<'a, I> {
+    query: &'a Query<'a, 3>,
+    pair: [usize; 2],
+    /// A generator off the plane of the facet.
+    third: usize,
+    /// The generators of the facet beside the two.
+    others: I,
+    /// Signs of the generators off the plane, shares of the others.
+    signs: &'a [f64],
+}
+
+impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
+    /// The coefficients of the two for a sum of the facet's generators, if they are certainly in (−1, 1).
+    fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
+        let start = minus(*sum, -self.signs[self.third], &self.query.generator(self.third));
+        let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.query.generator(i)));
+        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.query.generator(i));
+        match solve(&basis, &rest, errors)? {
+            [Some(first), Some(second), _] => Some([first, second]),
+            _ => None,
+        }
+    }
+
+    /// The same, exactly, if they are in [−1, 1].
+    fn exact_coefficients(&self, sum: ExactVector) -> Option<[f64; 2]> {
+        let rest = self.others.clone().fold(sum, |rest, i| {
+            let share = Dyadic::from_f64(self.signs[i]);
+            exact_linear::difference(&rest, &exact_linear::multiple(&share, &exact(self.query.generator(i))))
+        });
+        let [a, b] = self.pair.map(|i| exact(self.query.generator(i)));
+        let normal = exact_linear::cross(&a, &b);
+        let square = exact_linear::dot(&normal, &normal);
+        let coefficient = |dual: &ExactVector| {
+            let numerator = exact_linear::dot(&rest, dual);
+            let is_within = !square.is_zero() && numerator.clone().abs() <= square;
+            is_within.then(|| numerator.ratio(&square).clamp(-1.0, 1.0))
+        };
+        Some([coefficient(&exact_linear::cross(&b, &normal))?, coefficient(&exact_linear::cross(&normal, &a))?])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::brute_force;
+    use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
+    use crate::collision::proof::of_optimum::of_told;
+    use crate::interop::verifier::check_location;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// What a pair tells, checked exactly.
+    fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
+        let query = Query::new([0.0; 3], p, generators).expect("finite");
+        let told = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?;
+        let location = of_told(told, &mut ());
+        assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
+        Some(location.status().name())
+    }
+
+    #[test]
+    fn contacts_of_an_octagon_worked_out_by_hand() {
+        let body =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.5, 0.0, 0.25]];
+        // the top is an octagon around (0.5, 0, 1.25)
+        for (x, y) in [(0.0, 0.0), (2.5, 0.5), (-2.0, 0.25), (0.0, 2.75)] {
+            assert_eq!(told(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
+            assert_eq!(told(&body, [-0.5 - x, -y, -1.25], [3, 1]), Some("boundary"), "{x} {y}");
+        }
+        // edges and corners of it
+        for (x, y) in [(3.0, 1.0), (3.0, 0.25), (-3.0, -1.0), (1.0, 3.0), (0.5, 3.0), (2.0, 2.0), (-2.5, 1.5)] {
+            assert_eq!(told(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
+        }
+        // beside it, in its plane
+        assert_eq!(told(&body, [5.5, 0.0, 1.25], [0, 1]), None);
+        assert_eq!(told(&body, [0.5 + 3.0, 1.25, 1.25], [0, 1]), None);
+        // a unit in the last place above and below
+        assert_ne!(told(&body, [0.5, 0.0, 1.25f64.next_up()], [0, 1]), Some("boundary"));
+        assert_ne!(told(&body, [0.5, 0.0, 1.25f64.next_down()], [0, 1]), Some("boundary"));
+    }
+
+    #[test]
+    fn contacts_of_lattices_are_found_and_nothing_else_is() {
+        let random = &mut Pcg64Mcg::seed_from_u64(4);
+        let mut found = 0;
+        for round in 0..200 {
+            let n = 4 + round % 7;
+            let body: Vec<[f64; 3]> =
+                (0..n).map(|_| [0, 1, 2].map(|_| f64::from(random.random_range(-3..4)))).collect();
+            let pair = [random.random_range(0..n), random.random_range(0..n)];
+            let u = cross(&body[pair[0]], &body[pair[1]]);
+            // a point of the facet: those of its plane have quarters for coefficients
+            let mut coefficient = |v: &[f64; 3]| {
+                let along = dot(v, &u);
+                if along == 0.0 { f64::from(random.random_range(-3..4)) / 4.0 } else { along.signum() }
+            };
+            let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -coefficient(v), v));
+            let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
+            let answer = told(&body, p, pair);
+            assert!(answer.is_none() || answer == Some(status), "{answer:?} {status} {body:?} {p:?}");
+            found += u32::from(answer == Some("boundary"));
+        }
+        assert!(found > 120, "{found}");
+    }
+}

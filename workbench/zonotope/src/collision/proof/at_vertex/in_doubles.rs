@@ -1,0 +1,301 @@
+//! The proof of a location by the facet that two generators span, of which nothing is known beforehand.
+//!
+//! Let u = ± v_a × v_b with u · p > 0, and s_i the sign of v_i · u. If u · p > Σ |v_i · u|, then u separates, whatever
+//! the two generators are. If not, and the ray along p leaves the body through the facet of the two, the coefficients
+//! f s_i with f = u · p / Σ |v_i · u| combine to p but for what the two of the facet and a third make up for. Both
+//! proofs stand by themselves. So a search need not certify that its vertex is the optimum before a location is proved
+//! from it, which takes longer than the proof: where the vertex is not the optimum, or rounding leaves a doubt,
+//! nothing is told.
+//!
+//! Every bound is in terms of coordinates and not of lengths: a body that is thin along an axis is as good as another.
+
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+
+use super::contact::touching;
+use super::in_pairs::location_in_pairs;
+use crate::collision::proof::balance::three_coefficients::{minus, solve};
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::told::Told;
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::{Number, Units, product};
+use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
+use crate::numeric::lanes::rows::Rows;
+use crate::numeric::linear::{cross, dot};
+use crate::numeric::reused::Reused;
+use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::zonotope::query::Query;
+
+/// How many generators are looked at for the third of a basis where the two of the facet make up for everything in its
+/// plane.
+const THIRD_CANDIDATES: usize = 8;
+
+/// A point whose gauge by the facet differs from 1 by no more than so many roundings is probably on the boundary.
+const LIKELY_CONTACT: f64 = 8.0;
+
+/// Sums over generators with the signs of their products with a direction, in lanes or not.
+struct Signed<T> {
+    /// Σ s v.
+    sum: [T; 3],
+    /// Σ |v · u|.
+    reach: T,
+    /// Σ |v|, coordinate by coordinate.
+    sizes: [T; 3],
+}
+
+impl<T: Number> Signed<T> {
+    #[inline(always)]
+    fn new(units: &Units<T>) -> Self {
+        Self { sum: [units.zero; 3], reach: units.zero, sizes: [units.zero; 3] }
+    }
+
+    /// Takes generators in; their signs, 1 or −1.
+    #[inline(always)]
+    fn read(&mut self, units: &Units<T>, v: &[T; 3], u: &[T; 3]) -> T {
+        let along = product(v, u);
+        let sign = units.one.signed_as(along);
+        self.reach += along.magnitude();
+        for ((sum, size), c) in self.sum.iter_mut().zip(&mut self.sizes).zip(v) {
+            *sum += sign * *c;
+            *size += c.magnitude();
+        }
+        sign
+    }
+}
+
+/// The sums over all generators; writes their signs.
+#[inline(always)]
+fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3], mut signs: &mut [f64]) -> Signed<f64> {
+    let (wide, units) = (splat(simd, u), Units::wide(simd));
+    let (mut lanes, mut few) = (Signed::new(&units), Signed::new(&Units::SINGLE));
+    for run in runs {
+        let (places, others) = signs.split_at_mut(run.len());
+        signs = others;
+        let (octets, rest) = run.octets().whole_and_rest();
+        let (whole, last) = places.as_chunks_mut::<LANES>();
+        for (k, place) in whole.iter_mut().enumerate() {
+            let sign: f64x8<S> = lanes.read(&units, &octets.load(simd, k), &wide);
+            reordered(simd, sign).store_slice(place);
+        }
+        for (v, place) in rest.iter().zip(last) {
+            *place = few.read(&Units::SINGLE, v, u);
+        }
+    }
+    let (sum, sizes) = (totals(&lanes.sum), totals(&lanes.sizes));
+    Signed {
+        sum: [sum[0] + few.sum[0], sum[1] + few.sum[1], sum[2] + few.sum[2]],
+        reach: total(lanes.reach) + few.reach,
+        sizes: [sizes[0] + few.sizes[0], sizes[1] + few.sizes[1], sizes[2] + few.sizes[2]],
+    }
+}
+
+/// Where p lies, with its proof, if the facet of two generators tells. O(n).
+pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [usize; 2]) -> Option<Told> {
+    let n = query.len();
+    let [a, b] = pair.map(|i| query.generator(i));
+    let (product, own) = (cross(&a, &b), [p[0].value, p[1].value, p[2].value]);
+    let reversed = dot(&product, &own) < 0.0;
+    let u = if reversed { [-product[0], -product[1], -product[2]] } else { product };
+    let mut signs = Reused::with_capacity(n);
+    signs.resize(n, 0.0);
+    let sums = dispatch!(level(), simd => signed(simd, query.rows(), &u, &mut signs));
+    // a term goes through at most so many additions, and a product of two vectors through three roundings more
+    let roundings = UNIT * (n / 2 + 16) as f64;
+    let terms = dot(&sums.sizes, &u.map(f64::abs));
+    let error = (roundings * sums.reach + 4.0 * UNIT * terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
+    let (along, reach) = (dot(p, &bounded::exact(u)), Bounded { value: sums.reach, error });
+    if (along - reach).is_positive() {
+        return Some(Told::Separated(u));
+    }
+    let factor = along.value / sums.reach;
+    if !factor.is_finite() {
+        return None;
+    }
+    let off = |k: usize| {
+        let size = sums.sizes[k] + own[k].abs();
+        (p[k].error + (roundings + 16.0 * UNIT) * size) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW
+    };
+    let errors = [off(0), off(1), off(2)];
+    if (reach - along).is_positive() {
+        let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors };
+        let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
+        if told.is_some() {
+            return told;
+        }
+    }
+    let exactly = |signs: &mut [f64]| touching(query, pair, &u, signs, &errors);
+    let in_pairs = |signs: &[f64]| location_in_pairs(query, pair, &u, reversed, signs);
+    if (along.value - reach.value).abs() < LIKELY_CONTACT * UNIT * sums.reach {
+        exactly(&mut signs).or_else(|| in_pairs(&signs))
+    } else {
+        in_pairs(&signs).or_else(|| exactly(&mut signs))
+    }
+}
+
+/// A facet that p may be below, with the sum of all generators with their signs.
+struct Facet<'a> {
+    query: &'a Query<'a, 3>,
+    p: [f64; 3],
+    pair: [usize; 2],
+    u: [f64; 3],
+    sum: [f64; 3],
+    /// The factor of the generators that are not in the basis.
+    factor: f64,
+    /// How far each coordinate of what is left for the basis may be off.
+    errors: [f64; 3],
+}
+
+impl Facet<'_> {
+    /// The proof in which the two of the facet make up for everything in its plane.
+    #[inline]
+    fn combined_by_pair(&self, signs: &[f64]) -> Option<Told> {
+        let third = self.third(THIRD_CANDIDATES)?;
+        let [a, b] = self.pair;
+        let left = self.without([a, b, third].into_iter(), signs);
+        self.combined(third, left, signs)
+    }
+
+    /// The proof in which all generators of the facet share what is to be made up for in its plane.
+    fn combined_by_shares(&self, signs: &mut [f64]) -> Option<Told> {
+        let [a, b] = self.pair.map(|i| self.query.generator(i));
+        let terms = |v: &[f64; 3]| (v[0] * self.u[0]).abs() + (v[1] * self.u[1]).abs() + (v[2] * self.u[2]).abs();
+        let of_facet = |v: &[f64; 3]| dot(v, &self.u).abs() <= FACET_ROUNDING * terms(v);
+        let members: Reused<usize> =
+            self.query.generators().enumerate().filter(|(_, v)| of_facet(v)).map(|(i, _)| i).collect();
+        if members.len() <= self.pair.len() || self.pair.iter().any(|i| !members.contains(i)) {
+            return None;
+        }
+        let left = self.without(members.iter().copied(), signs);
+        let duals = [cross(&b, &self.p), cross(&self.p, &a)];
+        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
+        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
+        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&self.query.generator(i))).collect();
+        let shares = facet_coefficients(&vectors, plane(&left).map(|c| -c)).ok()?;
+        let third = self.third(self.query.len()).filter(|third| !members.contains(third))?;
+        let mut left = minus(left, signs[third], &self.query.generator(third));
+        for (&i, &share) in members.iter().zip(&shares) {
+            signs[i] = share;
+            if !self.pair.contains(&i) {
+                left = minus(left, -share, &self.query.generator(i));
+            }
+        }
+        self.combined(third, left, signs)
+    }
+
+    /// The generator that is farthest from the facet's plane, as one of so many shows.
+    #[inline]
+    fn third(&self, candidates: usize) -> Option<usize> {
+        let n = self.query.len();
+        let heights = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
+        let heights = heights.map(|i| (dot(&self.query.generator(i), &self.u).abs(), i));
+        let (height, third) = heights.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+        (height > 0.0).then_some(third)
+    }
+
+    /// The signed sum without some generators, whose signs are listed.
+    #[inline]
+    fn without(&self, generators: impl Iterator<Item = usize>, signs: &[f64]) -> [f64; 3] {
+        generators.fold(self.sum, |sum, i| minus(sum, signs[i], &self.query.generator(i)))
+    }
+
+    /// The proof with a third generator in the basis, where `left` is the sum of all generators off the basis with
+    /// their signs or shares.
+    #[inline]
+    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64]) -> Option<Told> {
+        let basis = [self.pair[0], self.pair[1], third];
+        let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
+        let own = solve(&basis.map(|i| self.query.generator(i)), &rest, &self.errors)?;
+        let [Some(first), Some(second), Some(last)] = own else { return None };
+        let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
+        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
+            coefficients[i] = coefficient;
+        }
+        Some(Told::combined(coefficients, basis))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::brute_force;
+    use crate::collision::proof::of_optimum::of_told;
+    use crate::interop::verifier::check_location;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// What a pair tells, checked exactly.
+    fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
+        let query = Query::new([0.0; 3], p, generators).expect("finite");
+        let location = of_told(location_by_pair(&query, &bounded::exact(p), pair)?, &mut ());
+        assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
+        Some(location.status().name())
+    }
+
+    #[test]
+    fn the_top_of_a_cube_worked_out_by_hand() {
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(told(&cube, [0.3, 0.2, 0.999], [0, 1]), Some("inside"));
+        assert_eq!(told(&cube, [-0.3, -0.2, -0.999], [1, 0]), Some("inside"));
+        assert_eq!(told(&cube, [0.3, 0.2, 1.001], [0, 1]), Some("outside"));
+        // the ray leaves through another side, and still the coefficients are in [−1, 1]
+        assert_eq!(told(&cube, [0.9, 0.0, 0.1], [0, 1]), Some("inside"));
+        assert_eq!(told(&cube, [0.3, 0.2, 1.0], [0, 1]), Some("boundary"));
+        // beyond another side; a pair without a normal
+        assert_eq!(told(&cube, [1.2, 0.0, 0.1], [0, 1]), None);
+        assert_eq!(told(&cube, [0.3, 0.2, 0.5], [0, 0]), None);
+    }
+
+    #[test]
+    fn generators_of_a_facet_share_what_two_cannot_make_up_for() {
+        let body =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.3, 0.0, 0.0]];
+        for (x, y) in [(0.0, 0.0), (2.5, 0.7), (-3.2, 0.1), (0.0, 2.9)] {
+            for factor in [0.5, 1.0 - 1e-9] {
+                assert_eq!(told(&body, [x, y, 1.0].map(|c| factor * c), [0, 1]), Some("inside"), "{x} {y}");
+            }
+        }
+        assert_eq!(told(&body, [5.0, 0.0, 0.9], [0, 1]), None);
+    }
+
+    #[test]
+    fn a_body_that_is_thin_along_an_axis_is_as_good_as_another() {
+        let body = [[1.0, 0.3, 1e-9], [0.2, -1.0, 2e-9], [0.1, 0.4, -7e-9], [-0.6, 0.5, 4e-9], [0.3, 0.8, 5e-9]];
+        let answers = |factor: f64| {
+            let p = [0.3, 0.1, 8e-9].map(|c| factor * c);
+            let pairs = (0..5).flat_map(|i| (0..i).map(move |j| [i, j]));
+            pairs.filter_map(|pair| told(&body, p, pair)).collect::<Vec<_>>()
+        };
+        let gauge = brute_force::gauge(&Query::new([0.0; 3], [0.3, 0.1, 8e-9], &body).expect("finite")).value;
+        assert_eq!(answers((1.0 - 1e-9) / gauge), ["inside"]);
+        assert!(!answers((1.0 + 1e-9) / gauge).is_empty());
+    }
+
+    #[test]
+    fn no_pair_tells_what_is_not_so_and_the_best_one_tells_nearly_always() {
+        let random = &mut Pcg64Mcg::seed_from_u64(9);
+        let (mut asked, mut answered) = (0, 0);
+        for round in 0..240 {
+            let n = 3 + round % 9;
+            let mut vector = || {
+                let v = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+                if round % 2 == 0 { v } else { v.map(|c| (3.0 * c).round()) }
+            };
+            let (body, direction) = ((0..n).map(|_| vector()).collect::<Vec<_>>(), vector());
+            let gauge = brute_force::gauge(&Query::new([0.0; 3], direction, &body).expect("finite")).value;
+            if !(gauge > 0.0 && gauge < 1e9) {
+                continue;
+            }
+            for factor in [0.7, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.4] {
+                let p = direction.map(|c| c * (factor / gauge));
+                let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
+                let pairs = (0..n).flat_map(|i| (0..i).map(move |j| [i, j]));
+                let answers: Vec<_> = pairs.filter_map(|pair| told(&body, p, pair)).collect();
+                assert!(answers.iter().all(|answer| *answer == status), "{answers:?} {status} {body:?} {p:?}");
+                if factor != 1.0 {
+                    (asked, answered) = (asked + 1, answered + u32::from(!answers.is_empty()));
+                }
+            }
+        }
+        assert!(asked > 600 && answered * 100 > asked * 97, "{answered} of {asked}");
+    }
+}

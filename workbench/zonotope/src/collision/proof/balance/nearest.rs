@@ -1,0 +1,400 @@
+//! The coefficients of a proof's basis as doubles beside their exact values.
+//!
+//! A proof does not rest on the numbers that it gives for its basis: those off the basis imply them. The methods leave
+//! them as floating point has them, since their last digits depend on a sum over all generators that is more precise
+//! than any decision needs. An answer that is handed to others has them rounded here, so that a reader may hold them
+//! against what the rest implies.
+//!
+//! The rest that all coefficients leave as they stand is tiny. Known to about twice the digits of a double it gives the
+//! corrections of the basis in plain doubles, with a bound. Where that bound leaves more than the nearest double and
+//! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
+
+use super::solve::{left_over, solve};
+use crate::lad::of_generators::seam::linear_map::LinearMap;
+use crate::numeric::Rational;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::combined_sum::combined_sum;
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{self, exact, sum};
+use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
+use crate::zonotope::location::{Gauge, Location, Witness};
+use crate::zonotope::pose::Pose;
+use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::query::Query;
+
+/// A query that a proof may be about: [`Query`] and [`PosedQuery`].
+pub trait Proved<const D: usize>: sealed::Completed {}
+
+impl<const D: usize> Proved<D> for Query<'_, D> {}
+
+impl Proved<3> for PosedQuery<'_> {}
+
+/// What completes a proof; no type outside of the library has it.
+mod sealed {
+    use crate::collision::Witness;
+
+    pub trait Completed {
+        /// How many generators there are.
+        fn count(&self) -> usize;
+
+        /// The doubles beside the coefficients of the basis; `None` if its generators are dependent or nothing
+        /// solves the equation. O(n).
+        fn nearest(&self, witness: &Witness) -> Option<Vec<f64>>;
+    }
+}
+
+impl<const D: usize> sealed::Completed for Query<'_, D> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn nearest(&self, witness: &Witness) -> Option<Vec<f64>> {
+        nearest(self, witness)
+    }
+}
+
+impl sealed::Completed for PosedQuery<'_> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn nearest(&self, witness: &Witness) -> Option<Vec<f64>> {
+        nearest(self, witness)
+    }
+}
+
+/// The generators and the displacement that a proof is about.
+trait Generators<const D: usize> {
+    /// The coefficients of the basis, exactly; `None` if its generators are dependent or nothing solves the equation.
+    /// O(n) exact additions.
+    fn exact_basis(&self, witness: &Witness) -> Option<Vec<Rational>>;
+
+    /// p − Σ c v over all generators. O(n).
+    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; D];
+
+    /// A generator in doubles, the coordinates beyond D 0, with a bound of its length |v|_1 of which 4 u bounds the
+    /// error.
+    fn vector(&self, index: usize) -> ([f64; 3], f64);
+}
+
+impl<const D: usize> Generators<D> for Query<'_, D> {
+    fn exact_basis(&self, Witness { coefficients, basis }: &Witness) -> Option<Vec<Rational>> {
+        solve(self, basis, &left_over(self, &self.exact(), coefficients, basis))
+    }
+
+    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; D] {
+        let [first, second] = self.runs();
+        let (own, others) = coefficients.split_at(first.len());
+        let (own, others) = (combined_sum(first, own), combined_sum(second, others));
+        let of = BoundedDoubleDouble::exact;
+        std::array::from_fn(|k| of(self.to()[k]) - of(self.from()[k]) - own[k] - others[k])
+    }
+
+    fn vector(&self, index: usize) -> ([f64; 3], f64) {
+        let v = self.generator(index);
+        let v = [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0));
+        (v, sum_norm(&v))
+    }
+}
+
+impl Generators<3> for PosedQuery<'_> {
+    fn exact_basis(&self, Witness { coefficients, basis }: &Witness) -> Option<Vec<Rational>> {
+        let [first, second] = self.runs();
+        let [from, to] = self.own_poses();
+        let split = first.len();
+        let (own, others) = coefficients.split_at(split);
+        let own_basis: Vec<usize> = basis.iter().copied().filter(|&b| b < split).collect();
+        let other_basis: Vec<usize> = basis.iter().filter_map(|b| b.checked_sub(split)).collect();
+        let left = |rows: &[[f64; 3]], coefficients: &[f64], basis: &[usize]| {
+            let centred = Query::of_finite([0.0; 3], [0.0; 3], rows);
+            left_over(&centred, &[0, 1, 2].map(|_| Dyadic::zero()), coefficients, basis)
+        };
+        let moved =
+            sum(&from.exact_image(&left(first, own, &own_basis)), &to.exact_image(&left(second, others, &other_basis)));
+        let column =
+            |pose: &Pose, v: [f64; 3]| pose.exact_image(&exact(v)).each_ref().map(Dyadic::to_rational).to_vec();
+        let columns: Vec<_> = basis
+            .iter()
+            .map(|&b| match b.checked_sub(split) {
+                None => column(from, first[b]),
+                Some(other) => column(to, second[other]),
+            })
+            .collect();
+        exact_linear::solve(&columns, &sum(self.displacement(), &moved).each_ref().map(Dyadic::to_rational))
+    }
+
+    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; 3] {
+        let [first, second] = self.runs();
+        let (own, others) = coefficients.split_at(first.len());
+        let [from, to] = self.own_poses();
+        let [own, others] = [from.pair_image(&combined_sum(first, own)), to.pair_image(&combined_sum(second, others))];
+        let p = self.displacement_pairs();
+        [0, 1, 2].map(|k| p[k] - own[k] - others[k])
+    }
+
+    fn vector(&self, index: usize) -> ([f64; 3], f64) {
+        let [first, second] = self.runs();
+        let [from, to] = self.own_poses();
+        match index.checked_sub(first.len()) {
+            None => LinearMap::of(from).image_with_length(&first[index]),
+            Some(index) => LinearMap::of(to).image_with_length(&second[index]),
+        }
+    }
+}
+
+fn nearest<const D: usize>(query: &impl Generators<D>, witness: &Witness) -> Option<Vec<f64>> {
+    in_doubles(query, witness)
+        .or_else(|| Some(query.exact_basis(witness)?.iter().map(|value| value.to_f64().value()).collect()))
+}
+
+/// The coefficients of a basis that spans the space, each the nearest double or a neighbour of it, if doubles tell.
+fn in_doubles<const D: usize>(query: &impl Generators<D>, witness: &Witness) -> Option<Vec<f64>> {
+    const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    // what a coefficient is cut into has the digits that the bound of the sum counts on if it is at most 1
+    let is_sound = D <= 3 && witness.basis.len() == D && witness.coefficients.iter().all(|c| c.abs() <= 1.0);
+    if !is_sound {
+        return None;
+    }
+    let pairs = query.rest(&witness.coefficients);
+    let rest = [0, 1, 2].map(|k| pairs.get(k).map_or(Bounded::exact(0.0), BoundedDoubleDouble::rounded));
+    let vector = |k: usize| witness.basis.get(k).map_or((AXES[k], 1.0), |&index| query.vector(index));
+    let [(a, first), (b, second), (c, third)] = [vector(0), vector(1), vector(2)];
+    let normals = [cross(&b, &c), cross(&c, &a), cross(&a, &b)];
+    let determinant = dot(&a, &normals[0]);
+    let volume = first * second * third;
+    let least = determinant.abs() - DETERMINANT_OF_IMAGES * volume - PRODUCT_UNDERFLOW;
+    // false for NaN as well
+    let is_spanning = least > 0.0 && [first, second, third].iter().all(|length| MODERATE_SIZES.contains(length));
+    if !is_spanning {
+        return None;
+    }
+    let values = rest.map(|c| c.value);
+    let (size, error) = (sum_norm(&values), rest[0].error + rest[1].error + rest[2].error);
+    let nearest = |((&index, normal), length): ((&usize, &[f64; 3]), f64)| {
+        let step = dot(&values, normal) / determinant;
+        // how far the product with the normal is off, then the quotient
+        let rounding = DETERMINANT_OF_IMAGES * (volume / length);
+        let along = error * (sum_norm(normal) + rounding) + size * rounding + PRODUCT_UNDERFLOW;
+        let off = (along + step.abs() * DETERMINANT_OF_IMAGES * volume) / least + 4.0 * UNIT * step.abs();
+        let off = off * LONG_SUM + PRODUCT_UNDERFLOW;
+        let start = witness.coefficients[index];
+        let value = (start + step).clamp(-1.0, 1.0);
+        let is_beside = value.next_down() <= start + (step - off) && start + (step + off) <= value.next_up();
+        is_beside.then_some(value)
+    };
+    witness.basis.iter().zip(&normals).zip([first, second, third]).map(nearest).collect()
+}
+
+impl Witness {
+    /// The same proof with each coefficient of the basis the double nearest to its exact value; where two are as near
+    /// but for rounding, perhaps the other one. O(n): a pass in doubles, exact additions where that leaves a doubt.
+    ///
+    /// Answers of bodies ([`Zonotope::locate`](crate::Zonotope::locate) and its like) are already so; those of single
+    /// methods are not. A witness that proves nothing is given back as another that proves nothing.
+    pub fn with_nearest_basis<const D: usize>(mut self, query: &impl Proved<D>) -> Self {
+        let n = query.count();
+        let is_basis = self.coefficients.len() == n && self.basis.iter().all(|&b| b < n);
+        if !is_basis || self.basis.is_empty() || !self.coefficients.iter().all(|c| c.is_finite()) {
+            return self;
+        }
+        let values = query.nearest(&self);
+        for (&b, value) in self.basis.iter().zip(values.unwrap_or_default()) {
+            self.coefficients[b] = value;
+        }
+        self
+    }
+}
+
+impl<const D: usize> Location<D> {
+    /// The same location, the proof of a member as [`Witness::with_nearest_basis`] has it.
+    pub fn with_nearest_basis(self, query: &impl Proved<D>) -> Self {
+        match self {
+            Self::Inside(witness) => Self::Inside(witness.with_nearest_basis(query)),
+            Self::Boundary(witness) => Self::Boundary(witness.with_nearest_basis(query)),
+            Self::Outside(separation) => Self::Outside(separation),
+        }
+    }
+}
+
+impl<const D: usize> Gauge<D> {
+    /// The same gauge, the proof of a member as [`Witness::with_nearest_basis`] has it.
+    pub fn with_nearest_basis(self, query: &impl Proved<D>) -> Self {
+        Self { location: self.location.with_nearest_basis(query), ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::by_lad::{locate, locate_posed};
+    use crate::collision::{Separation, Status};
+    use crate::zonotope::Zonotope;
+    use proptest::prelude::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+    use verifier::{Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, check_gauge, check_location};
+
+    fn certificate<const D: usize>(location: &Location<D>) -> Option<LocationCertificate> {
+        match location {
+            Location::Inside(Witness { coefficients, basis }) | Location::Boundary(Witness { coefficients, basis }) => {
+                Some(LocationCertificate::Witness { coefficients: coefficients.clone(), basis: basis.clone() })
+            }
+            Location::Outside(Separation::Rounded(u)) => {
+                let exact: Vec<_> = u.iter().filter_map(|c| verifier::Fraction::of_double(*c)).collect();
+                Some(LocationCertificate::Separation(verifier::whole_direction(&exact)))
+            }
+            Location::Outside(Separation::Exact(_)) => None,
+        }
+    }
+
+    /// The verifier takes an answer as it stands.
+    fn check<const D: usize>(question: &Displaced, location: &Location<D>) {
+        let Some(certificate) = certificate(location) else { return };
+        let status = verifier::Status::named(location.status().name()).expect("a status");
+        let verdict = check_location(question, &LocationAnswer { status, certificate });
+        assert!(verdict.is_right(), "{verdict:?}");
+    }
+
+    fn check_plain<const D: usize>(center: [f64; D], generators: &[[f64; D]], point: [f64; D]) {
+        let body = Zonotope::new(center, generators.to_vec()).expect("finite");
+        let question = Displaced::new(&center, &point, generators).expect("one dimension");
+        check(&question, &body.locate(point).expect("finite"));
+        check(&question, &body.gauge(point).expect("finite").location);
+        let origin = Zonotope::new(point, vec![]).expect("finite");
+        check(&question, &body.intersection(&origin));
+    }
+
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![3 => -1.0..1.0f64, 2 => (-2i32..3).prop_map(f64::from), 1 => Just(1e-9), 1 => Just(1e200)]
+    }
+
+    fn vector<const D: usize>() -> impl Strategy<Value = [f64; D]> {
+        proptest::collection::vec(number(), D).prop_map(|v| std::array::from_fn(|k| v[k]))
+    }
+
+    fn body<const D: usize>() -> impl Strategy<Value = ([f64; D], Vec<[f64; D]>, [f64; D])> {
+        (vector(), proptest::collection::vec(vector(), 0..7), vector())
+    }
+
+    fn pose() -> impl Strategy<Value = Pose> {
+        let any = (proptest::array::uniform3(vector()), vector()).prop_map(|(m, t)| Pose::new(m, t).expect("finite"));
+        let rotation = (proptest::array::uniform4(-1.0..1.0f64), vector())
+            .prop_map(|(q, t)| Pose::from_quaternion(q, t).unwrap_or_default());
+        prop_oneof![any, rotation]
+    }
+
+    proptest! {
+        #![proptest_config(crate::property_cases::config(200))]
+
+        #[test]
+        fn answers_of_bodies_go_straight_to_the_verifier(
+            line in body::<1>(), planar in body::<2>(), of_space in body::<3>(), more in body::<4>()
+        ) {
+            check_plain(line.0, &line.1, line.2);
+            check_plain(planar.0, &planar.1, planar.2);
+            check_plain(of_space.0, &of_space.1, of_space.2);
+            check_plain(more.0, &more.1, more.2);
+        }
+
+        #[test]
+        fn answers_of_posed_bodies_go_straight_to_the_verifier(
+            (center, generators, point) in body::<3>(), from in pose(), to in pose()
+        ) {
+            let placed = |pose: &Pose| verifier::Pose {
+                matrix: pose.matrix().map(|row| row.to_vec()).to_vec(),
+                translation: pose.translation().to_vec(),
+            };
+            let (first, second) = generators.split_at(generators.len() / 2);
+            let [a, b] = [(center, first), (point, second)]
+                .map(|(center, own)| Zonotope::new(center, own.to_vec()).expect("finite"));
+            let (there, here) = (placed(&from), placed(&to));
+            let own = Body { center: &center, generators: first, pose: Some(&there) };
+            let other = Body { center: &point, generators: second, pose: Some(&here) };
+            let question = Displaced::between(&own, &other).expect("space");
+            check(&question, &a.at(&from).intersection(b.at(&to)));
+            let question = Displaced::to_point(&own, &point).expect("space");
+            check(&question, &a.at(&from).locate(point).expect("finite"));
+            let gauge = a.at(&from).gauge(point).expect("finite");
+            if let Some(certificate) = certificate(&gauge.location) {
+                let at_most_one = gauge.location.is_member();
+                let answer = GaugeAnswer { gauge: gauge.value, at_most_one, certificate };
+                prop_assert!(check_gauge(&question, &answer).is_right());
+            }
+        }
+    }
+
+    #[test]
+    fn a_basis_may_be_in_any_order() {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let first = Zonotope::new([0.0; 3], axes[..1].to_vec()).expect("finite");
+        let second = Zonotope::new([0.25, 0.5, 0.75], axes[1..].to_vec()).expect("finite");
+        let query = PosedQuery::between((&first, &Pose::default()), (&second, &Pose::default()));
+        for basis in [vec![0, 1, 2], vec![2, 1, 0], vec![1, 2, 0], vec![2], vec![1, 1]] {
+            let coefficients: Vec<f64> = (0..3).map(|i| if basis.contains(&i) { 0.0 } else { 0.5 }).collect();
+            let witness = Witness { coefficients, basis: basis.clone() }.with_nearest_basis(&query);
+            if basis.len() == 3 {
+                assert_eq!(witness.coefficients, [0.25, 0.5, 0.75], "{basis:?}");
+            }
+        }
+    }
+
+    /// Doubles suffice mostly, but not for coefficients much smaller than the others.
+    #[test]
+    fn doubles_tell_them() {
+        let random = &mut Pcg64Mcg::seed_from_u64(3);
+        for n in [3, 6, 40, 245, 900] {
+            let (mut asked, mut told) = (0, 0);
+            for i in 0..60 {
+                let rows: Vec<[f64; 3]> = (0..n).map(|_| [0; 3].map(|_| random.random_range(-1.0..1.0))).collect();
+                let share = [0.2, 0.7, 1.0][i % 3];
+                let p = rows.iter().fold([0.0; 3], |sum, v| {
+                    let c = share * random.random_range(-1.0..1.0);
+                    [0, 1, 2].map(|k| sum[k] + c * v[k])
+                });
+                let query = Query::new([0.0; 3], p, &rows).expect("finite");
+                let body = Zonotope::new([0.5; 3], rows.clone()).expect("finite");
+                let pose = Pose::from_axis_angle([1.0, 2.0, 3.0], f64::from(i as u32), p).expect("an axis");
+                let posed = PosedQuery::between((&body, &Pose::IDENTITY), (&body, &pose));
+                let plain = witness(&locate(&query)).map(|witness| compared(&query, witness));
+                let placed = witness(&locate_posed(&posed)).map(|witness| compared(&posed, witness));
+                for was_told in plain.into_iter().chain(placed) {
+                    (asked, told) = (asked + 1, told + usize::from(was_told));
+                }
+            }
+            assert!(asked >= 60 && 4 * told >= 3 * asked, "{n}: {told} of {asked}");
+        }
+    }
+
+    fn witness<const D: usize>(location: &Location<D>) -> Option<&Witness> {
+        match location {
+            Location::Inside(witness) | Location::Boundary(witness) => Some(witness),
+            Location::Outside(_) => None,
+        }
+    }
+
+    /// Whether doubles tell the coefficients, which are then the nearest ones or beside these.
+    fn compared(query: &impl Generators<3>, witness: &Witness) -> bool {
+        let exact = query.exact_basis(witness).expect("the witness is one");
+        let exact: Vec<f64> = exact.iter().map(|value| value.to_f64().value()).collect();
+        let told = in_doubles(query, witness);
+        for (own, exact) in told.iter().flatten().zip(&exact) {
+            assert!((exact.next_down()..=exact.next_up()).contains(own), "{own} {exact}");
+        }
+        told.is_some()
+    }
+
+    #[test]
+    fn a_witness_by_hand() {
+        let rows = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0], [1.0, 1.0, 1.0]];
+        let query = Query::new([0.0; 3], [1.0; 3], &rows).expect("finite");
+        let rough = Witness { coefficients: vec![0.3, 0.3, 0.3, 0.0], basis: vec![0, 1, 2] };
+        let nearest = rough.with_nearest_basis(&query);
+        assert_eq!(nearest.coefficients, [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0]);
+        assert_eq!(Location::<3>::Inside(nearest).status(), Status::Inside);
+        // what is no witness stays what it is
+        let none = Witness { coefficients: vec![0.3], basis: vec![7] };
+        assert_eq!(none.clone().with_nearest_basis(&query), none);
+    }
+}

@@ -1,0 +1,123 @@
+//! The answers to a [`Query`], each with its proof: a location, a gauge.
+
+use std::fmt;
+
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::query::Query;
+
+/// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Location<const D: usize> {
+    /// In the interior of Z (a flat Z has none): the interiors of two bodies meet.
+    Inside(Witness),
+    /// In Z, but not in its interior: two bodies only touch, or their sum is flat.
+    Boundary(Witness),
+    /// Not in Z: a point outside, two bodies that are disjoint.
+    Outside(Separation<D>),
+}
+
+/// Where a point lies relative to a closed body: a [`Location`] without its proof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Status {
+    /// In the interior.
+    Inside,
+    /// In the body, but not in its interior.
+    Boundary,
+    /// Not in the body.
+    Outside,
+}
+
+/// The proof of a displacement p that lies in Z: coefficients of the generators.
+///
+/// With the coefficients off the basis taken as they stand, those of the basis that solve Σ δ_i g_i = p exactly lie in
+/// [−1, 1].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Witness {
+    /// A coefficient in [−1, 1] for each generator. Those of the basis are rounded: to doubles beside them in answers
+    /// that bodies give ([`with_nearest_basis`](Self::with_nearest_basis)), to a few digits less in those of the
+    /// methods.
+    pub coefficients: Vec<f64>,
+    /// Linearly independent generators, at most D of them, in increasing order.
+    pub basis: Vec<usize>,
+}
+
+/// The proof of a displacement p that lies outside Z: a direction u with u · p > Σ |u · g_i|, exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Separation<const D: usize> {
+    /// A direction of doubles.
+    Rounded([f64; D]),
+    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit; in a box,
+    /// as it is rare and would make every answer several times as large.
+    Exact(Box<[Rational; D]>),
+}
+
+/// How many times a zonotope Z centred at the origin must be taken to hold a displacement p: min { t ≥ 0 : p ∈ t Z }.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gauge<const D: usize> {
+    /// The gauge, within [`error`](Self::error); infinite where no multiple of Z holds p (a flat Z), then without
+    /// error.
+    pub value: f64,
+    /// A bound for |`value` − gauge|.
+    pub error: f64,
+    /// Where p lies relative to Z, decided exactly: the gauge is at most 1 just when p is a member. With its proof.
+    pub location: Location<D>,
+}
+
+impl<const D: usize> Separation<D> {
+    /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
+    pub(crate) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
+        let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+        let scaled = direction.clone().map(|v| v.scaled(-largest));
+        let rounded = scaled.clone().map(|v| v.to_f64());
+        let along =
+            |v: &[Dyadic; D]| v.iter().zip(rounded).fold(Dyadic::zero(), |s, (a, b)| s + a * &Dyadic::from_f64(b));
+        let reach = question.generators().fold(Dyadic::zero(), |s, g| s + along(&g.map(Dyadic::from_f64)).abs());
+        if along(&question.exact()) > reach {
+            Self::Rounded(rounded)
+        } else {
+            Self::Exact(Box::new(scaled.map(|v| v.to_rational())))
+        }
+    }
+}
+
+impl<const D: usize> Location<D> {
+    /// Whether the displacement lies in the closed zonotope.
+    pub fn is_member(&self) -> bool {
+        !matches!(self, Self::Outside(_))
+    }
+
+    /// The case without its proof.
+    pub fn status(&self) -> Status {
+        match self {
+            Self::Inside(_) => Status::Inside,
+            Self::Boundary(_) => Status::Boundary,
+            Self::Outside(_) => Status::Outside,
+        }
+    }
+}
+
+impl Status {
+    /// Every status, from the inside out.
+    pub const ALL: [Self; 3] = [Self::Inside, Self::Boundary, Self::Outside];
+
+    /// Whether the point lies in the closed body: inside or on the boundary.
+    pub fn is_member(self) -> bool {
+        self != Self::Outside
+    }
+
+    /// The name used in records: `inside`, `boundary` or `outside`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inside => "inside",
+            Self::Boundary => "boundary",
+            Self::Outside => "outside",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
