@@ -30,9 +30,8 @@ pub fn least_area(input: &Value, right: &Value, changed: &Value) -> Option<(bool
     let least = number(&changed["lower_bound"])?;
     let weaker =
         RBig::try_from(SAME).ok()? * &most + rounding * RBig::from(2) + RBig::try_from(f64::MIN_POSITIVE).ok()?;
-    let is_bound = least <= most
-        && least >= (&most - weaker).min(largest * RBig::try_from(1.0 - SAME).ok()?)
-        && bounds_area(input, right, changed, &most)?;
+    let told = (&most).min(&largest) - weaker;
+    let is_bound = least <= most && least >= told && bounds_area(input, right, changed, &most)?;
     Some((encloses && is_area, is_bound))
 }
 

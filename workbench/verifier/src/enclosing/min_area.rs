@@ -140,10 +140,9 @@ fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, S
         ));
     }
     // The largest double is the most that can be claimed.
-    let [smallest, largest] = [f64::MIN_POSITIVE, f64::MAX * (1.0 - RELATIVE_ERROR)].map(Proportion::of_double);
-    let weakest = area.minus(&allowed.plus(&rounding).plus(&smallest));
-    let weakest = if weakest.compare(&largest) == Ordering::Greater { &largest } else { &weakest };
-    if claimed.compare(weakest) == Ordering::Less {
+    let [smallest, largest] = [f64::MIN_POSITIVE, f64::MAX].map(Proportion::of_double);
+    let most = if area.compare(&largest) == Ordering::Greater { &largest } else { &area };
+    if most.minus(&claimed).compare(&allowed.plus(&rounding).plus(&smallest)) == Ordering::Greater {
         return Err(format!(
             "lower_bound {:?} says less than the certificate proves, {:?}",
             answer.lower_bound,
