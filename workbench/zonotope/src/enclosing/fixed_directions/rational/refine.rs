@@ -21,10 +21,10 @@ const RATIONAL_NORMAL_LIMIT: usize = 130;
 /// The rational program is solved for at most this many points.
 const RATIONAL_POINT_LIMIT: usize = 80;
 
-/// The pivots of all rational programs of a problem may take this much work together, in products of words: some tenths
-/// of a second. It is more than programs of a hundred normals take in numbers of like sizes; those of numbers of all
+/// The pivots of all rational programs of a problem may take this much work together, in products of words: half a
+/// second. It is more than programs of a hundred normals take in numbers of like sizes; those of numbers of all
 /// sizes would take minutes.
-const RATIONAL_WORK_LIMIT: u64 = 1 << 30;
+const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
 
 /// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
 /// least one point.
