@@ -195,11 +195,13 @@ fn a_net_around_many_corners_ends_within_its_work() {
     let mut counts = OperationCounts::default();
     let answer = Method::DirectionNet.solve(&points, 0.01, &mut counts).expect("finite points");
     let read = counts.get(Operation::EntryRead);
-    assert!(read < 3 << 30, "{read} entries of programs");
-    assert!(answer.ratio() < 1.05, "{}", answer.ratio());
-    let is_within = answer.proof.outcome == Outcome::WithinEpsilon;
-    assert_eq!(is_within, answer.ratio() <= 1.01, "{}", answer.ratio());
-    eprintln!("TORUS {} {} {:?} {:?}", answer.ratio(), answer.body.generators().len(), answer.effort.progress, counts);
+    assert!(read < 9 << 28, "{read} entries of programs");
+    // the work ends before the whole net is looked at, and the answer says so
+    assert_eq!(answer.proof.outcome, Outcome::EndedBefore);
+    assert!(answer.ratio() > 1.01 && answer.ratio() < 1.035, "{}", answer.ratio());
+    assert!(answer.body.generators().len() < 200, "{}", answer.body.generators().len());
+    let coarse = Method::DirectionNet.solve(&points, 0.2, &mut ()).expect("finite points");
+    assert_eq!(coarse.proof.outcome, Outcome::WithinEpsilon);
 }
 
 #[test]
