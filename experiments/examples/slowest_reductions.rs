@@ -208,10 +208,8 @@ fn generators<const D: usize>(family: &str, size: usize, source: &mut RandomSour
                 g.map(|c| c / length)
             }
             "torus" => {
-                let [[sin, cos], [across, along]] = [source.unit(), source.unit()].map(|part| {
-                    let angle = std::f64::consts::TAU * part;
-                    [angle.sin(), angle.cos()]
-                });
+                let turn = |part: f64| libm::sincos(std::f64::consts::TAU * part);
+                let [(sin, cos), (across, along)] = [source.unit(), source.unit()].map(turn);
                 let of_torus = [(5.0 + cos) * along, (5.0 + cos) * across, sin];
                 std::array::from_fn(|k| of_torus.get(k).copied().unwrap_or(0.0))
             }

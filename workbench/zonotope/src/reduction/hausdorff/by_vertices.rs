@@ -66,13 +66,14 @@ use dashu_int::IBig;
 use super::answer::Distance;
 use super::exact_difference::ExactDifference;
 use super::nearest_point::{Coefficient, NearestPoint};
+use super::vertex::{Vertex, is_positive, pair, vertex};
 use crate::numeric::Rational;
 use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::dyadic::{Dyadic, remove_common_factor};
 use crate::numeric::exact_linear::root::Root;
 use crate::numeric::exact_linear::{Span, rational};
-use crate::numeric::linear::{Ring, sum_of_products};
-use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT};
+use crate::numeric::linear::sum_of_products;
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, SUM_OF_PAIRS, THIRTY_ROUNDINGS, UNIT};
 use crate::zonotope::Zonotope;
 use crate::zonotope::faces::by_recursion::vertices_of;
 
@@ -93,9 +94,6 @@ const ROUNDED_DIRECTIONS: u32 = 64;
 
 /// The part of the distance that a direction proves with which no other one is tried.
 const GOOD_DIRECTION: f64 = 1.0 - 1e-6;
-
-/// The error of a sum of pairs of doubles beside the size of all terms: 16 u² of either operand.
-const PAIR_UNIT: f64 = 32.0 * UNIT * UNIT;
 
 /// Roundings of a sum beside one for each term.
 const FURTHER_ROUNDINGS: f64 = 32.0;
@@ -166,37 +164,6 @@ struct Farthest<const D: usize> {
     vector: [Rational; D],
 }
 
-/// A vertex with what rounded numbers tell of it.
-struct Vertex {
-    signs: Vec<Ordering>,
-    /// The coefficients of a near point of the other body.
-    near: Vec<Coefficient<f64>>,
-    /// The vertex is no farther than this.
-    upper: f64,
-    /// Whether pairs of doubles have found the near point.
-    is_refined: bool,
-}
-
-impl PartialEq for Vertex {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Vertex {}
-
-impl PartialOrd for Vertex {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Vertex {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper).then_with(|| other.signs.cmp(&self.signs))
-    }
-}
-
 impl<const D: usize> Numbers<D> {
     fn new(difference: &ExactDifference<D>) -> Self {
         let scale = difference.binary_exponent().unwrap_or(0);
@@ -222,7 +189,7 @@ impl<const D: usize> Numbers<D> {
             unit,
             scale,
             error: UNIT * (terms + FURTHER_ROUNDINGS) * size * LONG_SUM + (terms + 1.0) * PRODUCT_UNDERFLOW,
-            error_of_pairs: PAIR_UNIT * (terms + FURTHER_ROUNDINGS) * size * LONG_SUM
+            error_of_pairs: SUM_OF_PAIRS * (terms + FURTHER_ROUNDINGS) * size * LONG_SUM
                 + (terms + 1.0) * PRODUCT_UNDERFLOW,
             weight: 1 + ((scale - unit) / BITS_PER_OPERATION) as u64,
         }
@@ -319,35 +286,6 @@ impl<const D: usize> Numbers<D> {
         begin_with(candidate.near.iter().map(inside).collect())
             .or_else(|| begin_with(candidate.near.iter().map(at_end).collect()))
     }
-}
-
-/// An exact number as a pair of doubles, rounded.
-fn pair(exact: &Dyadic) -> DoubleDouble {
-    let high = exact.to_f64();
-    if !high.is_finite() {
-        return DoubleDouble::from(high);
-    }
-    DoubleDouble::ordered_sum(high, (exact - &Dyadic::from_f64(high)).to_f64())
-}
-
-fn is_positive(coefficient: &Coefficient<f64>) -> bool {
-    match coefficient {
-        Coefficient::AtEnd(is_positive) => *is_positive,
-        Coefficient::Free(value) => *value > 0.0,
-    }
-}
-
-/// A vertex of one side, relative to the centre of the other body.
-fn vertex<N: Ring, const D: usize>(
-    generators: &[[N; D]],
-    displacement: &[N; D],
-    side: usize,
-    signs: &[Ordering],
-) -> [N; D] {
-    let center = array::from_fn(|k| if side == 0 { displacement[k].clone() } else { N::ZERO.minus(&displacement[k]) });
-    generators.iter().zip(signs).fold(center, |sum: [N; D], (g, sign)| {
-        array::from_fn(|k| if sign.is_lt() { sum[k].minus(&g[k]) } else { sum[k].plus(&g[k]) })
-    })
 }
 
 impl<const D: usize> Numbers<D> {

@@ -28,6 +28,7 @@ mod doors;
 mod exact_difference;
 mod inside;
 mod nearest_point;
+mod vertex;
 
 pub use answer::Distance;
 pub(in crate::reduction) use by_branch_and_bound::Limit;
