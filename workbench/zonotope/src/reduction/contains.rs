@@ -8,7 +8,8 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{Span, exact};
 use crate::zonotope::Zonotope;
 
-/// So many products of a facet normal and a generator are taken at most, each normal counted as [`NORMAL_PRODUCTS`] more.
+/// So many products of a facet normal and a generator are taken at most, each normal counted as [`NORMAL_PRODUCTS`]
+/// more.
 const PRODUCT_LIMIT: u64 = 1 << 27;
 
 /// So many products take as long as a normal.
@@ -18,17 +19,17 @@ const NORMAL_PRODUCTS: u64 = 64;
 /// bodies.
 const EXACT_PRODUCT_LIMIT: u64 = 1 << 18;
 
-/// Bodies whose facets take more products than this are looked at along cones of directions first, which tells of bodies
-/// that do not touch.
+/// Bodies whose facets take more products than this are looked at along cones of directions first, which tells of
+/// bodies that do not touch.
 const FEW_PRODUCTS: u64 = 1 << 21;
 
 /// So many products are taken along cones.
 const CONE_PRODUCT_LIMIT: u64 = 1 << 23;
 
 /// Whether the outer zonotope contains the inner one, decided exactly; none where that takes more than 2^27 products of
-/// a facet normal and a generator, or more than 2^18 of which doubles do not tell enough, and the bodies touch or nearly
-/// do. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k)) for n generators of the inner
-/// body and k of the outer one, of rank r.
+/// a facet normal and a generator, or more than 2^18 of which doubles do not tell enough, and the bodies touch or
+/// nearly do. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k)) for n generators of the
+/// inner body and k of the outer one, of rank r.
 #[inline(never)]
 pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Option<bool> {
     let [from, to] = [outer.center(), inner.center()].map(exact);

@@ -81,8 +81,8 @@ use crate::zonotope::faces::by_recursion::vertices_of;
 /// bodies of some hundred facets.
 pub const VERTEX_PRODUCT_LIMIT: u64 = 1 << 15;
 
-/// Operations in rationals of some hundred bits up to which this method answers: more of them are needed only where many
-/// vertices are equally far, or coordinates of many sizes.
+/// Operations in rationals of some hundred bits up to which this method answers: more of them are needed only where
+/// many vertices are equally far, or coordinates of many sizes.
 pub const EXACT_OPERATION_LIMIT: u64 = 1 << 16;
 
 /// The bits of a coordinate for which an operation in rationals counts once more.
@@ -271,7 +271,7 @@ impl<const D: usize> Numbers<D> {
         let others = &self.whole[1 - side];
         let point = vertex(&self.whole[side], &self.whole_displacement, side, &candidate.signs);
         // a round takes a product with each generator and a linear system
-        let round = ((others.len() * D + D.pow(3)) as u64).saturating_mul(self.weight);
+        let round = (others.len() as u64 * D as u64 + (D as u64).pow(3)).saturating_mul(self.weight);
         let mut begin_with = |start| {
             let mut search = NearestPoint::new(&point, others, start);
             let vector = search.run_within(usize::try_from(*left / round).unwrap_or(usize::MAX));

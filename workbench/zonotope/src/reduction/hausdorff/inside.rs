@@ -8,8 +8,8 @@ use super::cone::Cone;
 use super::difference::ScaledBodies;
 use super::exact_difference::ExactDifference;
 
-/// Whether the first body of a difference lies in the interior of the second one, which is proven either way; none where
-/// about so many products of a direction and a vector, beside those of the cones of whole faces, do not tell.
+/// Whether the first body of a difference lies in the interior of the second one, which is proven either way; none
+/// where about so many products of a direction and a vector, beside those of the cones of whole faces, do not tell.
 pub(in crate::reduction) fn lies_inside<const D: usize>(
     difference: &ExactDifference<D>,
     most_products: u64,

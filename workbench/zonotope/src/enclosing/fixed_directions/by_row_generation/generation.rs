@@ -188,7 +188,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let count = if others { points.len() - working.len() } else { working.len() };
         tally.add(Operation::PointRead, count as u64);
         self.looks += count as u64 * PRODUCTS_PER_LOOK;
-        let products_per_height = (self.directions.len() * D) as u64;
+        let products_per_height = self.directions.len() as u64 * D as u64;
         let outside_set = (0..points.len()).filter(|&j| others && !is_working[j]);
         let of_set = working.iter().copied().filter(|_| !others);
         let mut deepest: BTreeMap<([usize; D], bool), ViolatedFacet<D>> = BTreeMap::new();
@@ -221,7 +221,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let normals: Vec<[f64; D]> = violated.iter().map(|facet| facet.normal).collect();
         let count = if over_all { self.points.len() } else { self.working.len() };
         tally.add(Operation::PointRead, count as u64 * normals.len() as u64);
-        self.looks += (count * normals.len() * D) as u64;
+        self.looks += count as u64 * normals.len() as u64 * D as u64;
         let far = if over_all {
             farthest(self.points, 0..self.points.len(), &normals)
         } else {
