@@ -1,26 +1,55 @@
-//! The slowest reductions and distances of bodies, beside the usual ones: for each kind of question and family of
-//! generators the median time, and the questions that take longest in terms of it.
+//! The slowest reductions, distances of bodies and enclosures of points, beside the usual ones: for each kind of
+//! question and family of vectors the median time, and the questions that take longest.
 //!
 //! `cargo run --release -p experiments --example slowest_reductions -- 200 [kind] [family]` asks so many questions of
-//! each kind and family, of one to six dimensions and up to a thousand generators.
+//! each kind and family, of one to six dimensions and up to a thousand vectors: generators, or points. Times are those
+//! of the processor where they are long and the system tells them, else those of a clock.
 
 use std::env;
+use std::fs;
 use std::time::Instant;
 
 use experiments::families::source::RandomSource;
 use zonotope::Zonotope;
+use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
+use zonotope::enclosing::min_area;
+use zonotope::enclosing::min_total_length::{Method as LengthMethod, few_generators};
 use zonotope::reduction::by_patches::patches_within;
 use zonotope::reduction::hausdorff::hausdorff;
 use zonotope::reduction::{Method, Problem, contains};
 
 const SIZES: [usize; 15] = [1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 50, 100, 200, 400, 1000];
 const PRECISIONS: [f64; 6] = [0.5, 0.2, 0.1, 0.01, 1e-3, 1e-6];
-const KINDS: [&str; 3] = ["hausdorff", "reduce", "approx"];
-const FAMILIES: [&str; 9] =
-    ["random", "lattice", "flat", "needle", "parallel", "mixed_scales", "denormal", "pancake", "huge"];
+const KINDS: [&str; 9] = [
+    "hausdorff",
+    "contains",
+    "reduce",
+    "approx",
+    "min_length_all",
+    "min_length_net",
+    "min_length_few",
+    "min_length_dirs",
+    "min_area",
+];
+const FAMILIES: [&str; 11] = [
+    "random",
+    "sphere",
+    "torus",
+    "lattice",
+    "flat",
+    "needle",
+    "parallel",
+    "mixed_scales",
+    "denormal",
+    "pancake",
+    "huge",
+];
 
 /// The bounds differ by at most this part of the lower one, where the search for them allows it.
 const WIDTH: f64 = 0.01;
+
+/// Milliseconds up to which the clock tells the time.
+const CLOCK_LIMIT: f64 = 20.0;
 
 /// Questions listed of a kind and family.
 const LISTED: usize = 3;
@@ -51,7 +80,12 @@ fn main() {
 }
 
 fn ask(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
-    match whole(source, 1, 6) {
+    let dimensions = match kind {
+        "min_area" => 2..=2,
+        _ if kind.starts_with("min_length") => 1..=4,
+        _ => 1..=6,
+    };
+    match whole(source, *dimensions.start(), *dimensions.end()) {
         1 => ask_in::<1>(kind, family, source),
         2 => ask_in::<2>(kind, family, source),
         3 => ask_in::<3>(kind, family, source),
@@ -63,13 +97,19 @@ fn ask(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
 
 fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
     let size = *one_of(&SIZES, source);
-    let body = Zonotope::new([0.0; D], generators(family, size, source)).expect("the families are finite");
+    let vectors: Vec<[f64; D]> = generators(family, size, source);
+    if kind.starts_with("min_") {
+        return ask_around(kind, family, &vectors, source);
+    }
+    let body = Zonotope::new([0.0; D], vectors).expect("the families are finite");
     match kind {
-        "hausdorff" => {
+        "hausdorff" | "contains" => {
             let (other, text) = other_body(family, &body, source);
-            timed(format!("{text}, R^{D}, {size} generators"), || {
-                contains(&other, &body).map(|_| hausdorff(&body, &other, WIDTH).upper)
-            })
+            let text = format!("{text}, R^{D}, {size} and {} generators", other.generators().len());
+            match kind {
+                "hausdorff" => timed(text, || Some(hausdorff(&body, &other, WIDTH).upper)),
+                _ => timed(text, || contains(&other, &body).map(f64::from)),
+            }
         }
         "reduce" => {
             let (method, count) = (*one_of(&Method::ALL, source), *one_of(&[D, D + 1, 2 * D, 3 * D], source));
@@ -87,11 +127,52 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
     }
 }
 
+/// A question about an enclosure of points.
+fn ask_around<const D: usize>(kind: &str, family: &str, points: &[[f64; D]], source: &mut RandomSource) -> Asked {
+    let (epsilon, n) = (*one_of(&PRECISIONS, source), points.len());
+    match kind {
+        "min_area" => {
+            let plane: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[D - 1]]).collect();
+            timed(format!("{n} points"), || min_area(&plane).ok().map(|answer| answer.value))
+        }
+        "min_length_dirs" => {
+            let directions: Vec<[f64; D]> = generators(family, whole(source, D as i32, 24) as usize, source);
+            let weights = vec![1.0; directions.len()];
+            timed(format!("{n} points, {} directions, R^{D}", directions.len()), || {
+                let problem = FixedDirections::new(points, &directions, &weights).ok()?;
+                min_length_along(&problem).ok()?.optimal().map(|answer| answer.value)
+            })
+        }
+        "min_length_few" => {
+            let count = D + whole(source, 0, 3) as usize;
+            timed(format!("{epsilon}, {n} points, {count} generators, R^{D}"), || {
+                let answer = LengthMethod::default().solve(points, epsilon, &mut ()).ok()?;
+                few_generators::shortest_of_few(points, answer, epsilon, count).ok().map(|answer| answer.value)
+            })
+        }
+        _ => {
+            let method = if kind == "min_length_net" { LengthMethod::DirectionNet } else { LengthMethod::default() };
+            timed(format!("{epsilon}, {n} points, R^{D}"), || {
+                method.solve(points, epsilon, &mut ()).ok().map(|answer| answer.value)
+            })
+        }
+    }
+}
+
 fn timed(text: String, work: impl FnOnce() -> Option<f64>) -> Asked {
-    let start = Instant::now();
+    let (clock, start) = (Instant::now(), processor_time());
     let answer = work();
-    let time = start.elapsed().as_secs_f64() * 1e3;
+    let elapsed = clock.elapsed().as_secs_f64() * 1e3;
+    let of_processor = start.zip(processor_time()).map(|(start, end)| end - start);
+    // the system may tell the processor's time in steps of some milliseconds
+    let time = of_processor.filter(|_| elapsed > CLOCK_LIMIT).unwrap_or(elapsed);
     Asked { time, text: format!("{text}{}", if answer.is_none() { ", refused" } else { "" }) }
+}
+
+/// The milliseconds that the processor has spent on this thread, where the system tells them.
+fn processor_time() -> Option<f64> {
+    let told = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    told.split_whitespace().next()?.parse::<f64>().ok().map(|nanoseconds| nanoseconds / 1e6)
 }
 
 /// A body to compare with: another of the family, one that is off by rounding, moved, or a part.
@@ -121,6 +202,17 @@ fn generators<const D: usize>(family: &str, size: usize, source: &mut RandomSour
     let generator = |source: &mut RandomSource| -> [f64; D] {
         match family {
             "random" => normal(source),
+            "sphere" => {
+                let g = normal::<D>(source);
+                let length = g.iter().map(|c| c * c).sum::<f64>().sqrt();
+                g.map(|c| c / length)
+            }
+            "torus" => {
+                let turn = |part: f64| libm::sincos(std::f64::consts::TAU * part);
+                let [(sin, cos), (across, along)] = [source.unit(), source.unit()].map(turn);
+                let of_torus = [(5.0 + cos) * along, (5.0 + cos) * across, sin];
+                std::array::from_fn(|k| of_torus.get(k).copied().unwrap_or(0.0))
+            }
             "lattice" => lattice(source),
             "flat" => {
                 let [s, t] = [f64::from(whole(source, -3, 3)), f64::from(whole(source, -3, 3))];

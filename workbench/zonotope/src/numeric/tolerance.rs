@@ -45,6 +45,10 @@ pub const THIRTY_ROUNDINGS: f64 = 1.0 + 32.0 * UNIT;
 /// and the rounding of the bound, n u as well, stays below 2^-21.
 pub const LONG_SUM: f64 = 1.0 + power_of_two(-20);
 
+/// Error of a sum of pairs of doubles, for each of its terms, beside the size of all terms: an addition is within 16 u²
+/// of the magnitudes of both operands, neither of which exceeds that size.
+pub(crate) const SUM_OF_PAIRS: f64 = 32.0 * UNIT * UNIT;
+
 /// Error of a computed 3 × 3 determinant, beside the sum of the magnitudes of its six products, for data scaled to
 /// magnitude below 2.
 ///

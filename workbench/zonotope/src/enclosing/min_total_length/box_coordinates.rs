@@ -132,6 +132,13 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         })
     }
 
+    /// A zonotope with its generators lengthened until it contains all points.
+    pub(super) fn stretched(&self, inner: FrameZonotope<D>) -> FrameZonotope<D> {
+        let stretch = self.stretch(inner.center, &inner.generators);
+        let generators = inner.generators.iter().map(|g| g.map(|c| c * stretch)).collect();
+        FrameZonotope { upper: inner.upper * stretch, center: inner.center, generators, witnesses: Vec::new() }
+    }
+
     /// The least factor, not below 1, by which generators have to be lengthened for their zonotope to contain all
     /// points, in floating point; infinite if no factor is enough.
     pub(super) fn stretch(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {

@@ -6,6 +6,7 @@ use rand::{RngExt, SeedableRng};
 use super::*;
 use crate::enclosing::min_length;
 use crate::interop::verifier::check_min_length_all;
+use crate::tally::{Operation, OperationCounts};
 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
     let answer = min_length(points, epsilon).expect("finite points");
@@ -179,6 +180,28 @@ fn what_is_refused() {
     assert!(matches!(min_length(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
     let far = by_direction_net::min_length_by_net(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper);
     assert!(matches!(far, Err(MinLengthError::TooManyDirections(_))));
+}
+
+/// A grid of points on a torus, half of which are corners of its hull.
+fn torus(around: usize, across: usize) -> Vec<[f64; 3]> {
+    let turn = |i: usize, count: usize| libm::sincos(std::f64::consts::TAU * i as f64 / count as f64);
+    let grid = (0..around).flat_map(|i| (0..across).map(move |j| (turn(i, around), turn(j, across))));
+    grid.map(|((sin, cos), (up, out))| [(5.0 + out) * cos, (5.0 + out) * sin, up]).collect()
+}
+
+#[test]
+fn a_net_around_many_corners_ends_within_its_work() {
+    let points = torus(64, 32);
+    let mut counts = OperationCounts::default();
+    let answer = Method::DirectionNet.solve(&points, 0.01, &mut counts).expect("finite points");
+    let read = counts.get(Operation::EntryRead);
+    assert!(read < 9 << 28, "{read} entries of programs");
+    // the work ends before the whole net is looked at, and the answer says so
+    assert_eq!(answer.proof.outcome, Outcome::EndedBefore);
+    assert!(answer.ratio() > 1.01 && answer.ratio() < 1.035, "{}", answer.ratio());
+    assert!(answer.body.generators().len() < 200, "{}", answer.body.generators().len());
+    let coarse = Method::DirectionNet.solve(&points, 0.2, &mut ()).expect("finite points");
+    assert_eq!(coarse.proof.outcome, Outcome::WithinEpsilon);
 }
 
 #[test]

@@ -91,6 +91,11 @@ const MARGIN_GROWTH: f64 = 16.0;
 /// The largest margin: rounding generators to doubles of few digits may take off as much.
 const LARGEST_MARGIN: f64 = 8.0;
 
+/// So many products of a facet normal and a generator are taken in exact arithmetic, of all charts and margins
+/// together. Where doubles leave more in doubt, as they do of very thin bodies, the next margin is tried, which leaves
+/// less.
+const EXACT_PRODUCT_LIMIT: u64 = 1 << 18;
+
 /// Directions along which the answers of charts are compared.
 const COMPARED_DIRECTIONS: usize = 1024;
 
@@ -104,8 +109,9 @@ pub fn clusters<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, 
     }
     let own = problem.body().generators();
     let vectors = scaled(own);
-    let answers: Vec<Vec<[f64; D]>> =
-        charts(&vectors).iter().filter_map(|chart| in_chart(problem, &vectors, chart)).collect();
+    let mut exact_products = EXACT_PRODUCT_LIMIT;
+    let in_chart = |chart| in_chart(problem, &vectors, chart, &mut exact_products);
+    let answers: Vec<Vec<[f64; D]>> = charts(&vectors).iter().filter_map(in_chart).collect();
     let directions = SampledDirections::<D>::new(D, COMPARED_DIRECTIONS);
     let exponent = exponent_of(own);
     let error = |answer: &[[f64; D]]| {
@@ -119,7 +125,12 @@ pub fn clusters<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, 
 }
 
 /// The generators of an enclosing zonotope by way of a chart; `None` if they are too many, or do not enclose.
-fn in_chart<const D: usize>(problem: &Problem<'_, D>, vectors: &[[f64; D]], chart: &Chart<D>) -> Option<Vec<[f64; D]>> {
+fn in_chart<const D: usize>(
+    problem: &Problem<'_, D>,
+    vectors: &[[f64; D]],
+    chart: &Chart<D>,
+    exact_products: &mut u64,
+) -> Option<Vec<[f64; D]>> {
     let own = problem.body().generators();
     let rank = chart.rank();
     let is_provable = |count: &usize| Facets::<D>::count(*count, rank, NORMAL_LIMIT).is_some();
@@ -129,18 +140,23 @@ fn in_chart<const D: usize>(problem: &Problem<'_, D>, vectors: &[[f64; D]], char
     let generators = fitted(&seen, rank, cluster_sums(&seen, count));
     let generators = times_power_of_two(&generators, exponent_of(own));
     let projected: Vec<[f64; D]> = own.iter().map(|v| chart.projected(v)).collect();
-    let enclosing = enclosing(&projected, rank, generators)?;
+    let enclosing = enclosing(&projected, rank, generators, exact_products)?;
     chart.lifted(&enclosing, own)
 }
 
 /// The generators times the covering factor and a margin, so that they enclose the body exactly.
-fn enclosing<const D: usize>(body: &[[f64; D]], rank: usize, generators: Vec<[f64; D]>) -> Option<Vec<[f64; D]>> {
+fn enclosing<const D: usize>(
+    body: &[[f64; D]],
+    rank: usize,
+    generators: Vec<[f64; D]>,
+    exact_products: &mut u64,
+) -> Option<Vec<[f64; D]>> {
     let factor = Facets::new(&generators, rank)?.growth(body);
     let mut margin = FIRST_MARGIN;
     while margin <= LARGEST_MARGIN && factor.is_finite() {
         let grown: Vec<[f64; D]> = generators.iter().map(|b| b.map(|c| c * (factor * (1.0 + margin)))).collect();
         if grown.as_flattened().iter().all(|c| c.is_finite())
-            && Facets::new(&grown, rank).is_some_and(|facets| facets.contain(body))
+            && Facets::new(&grown, rank).and_then(|facets| facets.contain(body, exact_products)) == Some(true)
         {
             return Some(grown);
         }

@@ -17,13 +17,16 @@
 //!    is enough if both bodies have the same centre.
 //! 3. Find the nearest point of the other body to each vertex in doubles (`NearestPoint`): as any of its points is,
 //!    it is an upper bound on the vertex's distance, up to rounding.
-//! 4. Beginning with the farthest vertex, find the nearest point anew in rationals, until no bound of the vertices left
-//!    exceeds the largest distance met. Then the same the other way round.
+//! 4. Beginning with the vertex of the greatest bound, find the nearest point anew in pairs of doubles, which makes the
+//!    bound far tighter where the bodies are nearly equal, and where it still is the greatest in rationals; until no
+//!    bound of the vertices left exceeds the largest distance met. Then the same the other way round.
 //!
 //! # Complexity
 //! v vertices of n generators in all, rank r: O(n^r) exact operations to list them and O(v n) products a step of the
 //! searches, of which a vertex takes some more than there are coefficients that change. Only the few vertices that are
-//! about as far as the farthest are looked at in rationals; of bodies that differ by as little as rounding, all.
+//! about as far as the farthest are looked at in pairs of doubles, of bodies that differ by as little as rounding all;
+//! in rationals only those that pairs of doubles cannot tell from the farthest. The operations in rationals are counted
+//! and limited ([`EXACT_OPERATION_LIMIT`]).
 //!
 //! # Shapes
 //! `generators`: half-segments, any order.
@@ -56,18 +59,21 @@
 
 use std::array;
 use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 use dashu_int::IBig;
 
 use super::answer::Distance;
 use super::exact_difference::ExactDifference;
 use super::nearest_point::{Coefficient, NearestPoint};
+use super::vertex::{Vertex, is_positive, pair, vertex};
 use crate::numeric::Rational;
+use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::dyadic::{Dyadic, remove_common_factor};
 use crate::numeric::exact_linear::root::Root;
 use crate::numeric::exact_linear::{Span, rational};
-use crate::numeric::linear::{Ring, sum_of_products};
-use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::numeric::linear::sum_of_products;
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, SUM_OF_PAIRS, THIRTY_ROUNDINGS, UNIT};
 use crate::zonotope::Zonotope;
 use crate::zonotope::faces::by_recursion::vertices_of;
 
@@ -75,9 +81,12 @@ use crate::zonotope::faces::by_recursion::vertices_of;
 /// bodies of some hundred facets.
 pub const VERTEX_PRODUCT_LIMIT: u64 = 1 << 15;
 
-/// Searches in rationals times D^3, the size of their linear systems, up to which this method answers: more of them are
-/// needed only where many vertices are equally far, as those of bodies that are nearly equal.
-const EXACT_SEARCH_LIMIT: usize = 1 << 14;
+/// Operations in rationals of some hundred bits up to which this method answers: more of them are needed only where
+/// many vertices are equally far, or coordinates of many sizes.
+pub const EXACT_OPERATION_LIMIT: u64 = 1 << 16;
+
+/// The bits of a coordinate for which an operation in rationals counts once more.
+const BITS_PER_OPERATION: i64 = 128;
 
 /// Roundings of the farthest vertex's direction that are tried: generators of which the exact one is orthogonal to some
 /// hide a distance as small as what rounding moves it by.
@@ -108,8 +117,9 @@ pub(super) fn farthest<const D: usize>(difference: &ExactDifference<D>, sides: &
     }
     let numbers = Numbers::new(difference);
     let mut farthest = Farthest { square: Rational::ZERO, vector: array::from_fn(|_| Rational::ZERO) };
+    let mut left = EXACT_OPERATION_LIMIT;
     for &side in sides {
-        numbers.look_at_vertices(&difference.generators[side], side, &mut farthest)?;
+        numbers.look_at_vertices(&difference.generators[side], side, &mut farthest, &mut left)?;
     }
     Some(numbers.distance(&farthest))
 }
@@ -132,14 +142,19 @@ fn vertex_products<const D: usize>(difference: &ExactDifference<D>, side: usize)
 struct Numbers<const D: usize> {
     rounded: [Vec<[f64; D]>; 2],
     rounded_displacement: [f64; D],
+    pairs: [Vec<[DoubleDouble; D]>; 2],
+    displacement_in_pairs: [DoubleDouble; D],
     whole: [Vec<[Rational; D]>; 2],
     whole_displacement: [Rational; D],
     is_concentric: bool,
     /// The exponent of the unit of the whole numbers, and that of the doubles.
     unit: i64,
     scale: i64,
-    /// A bound on the errors of a distance from a point of given coefficients in doubles.
+    /// A bound on the errors of a distance from a point of given coefficients in doubles, and in pairs of them.
     error: f64,
+    error_of_pairs: f64,
+    /// What an operation in rationals counts for.
+    weight: u64,
 }
 
 /// The vertex that is farthest away among those looked at.
@@ -149,19 +164,12 @@ struct Farthest<const D: usize> {
     vector: [Rational; D],
 }
 
-/// A vertex with what doubles tell of it.
-struct Vertex {
-    signs: Vec<Ordering>,
-    /// The coefficients of a near point of the other body, and how far that is.
-    near: Vec<Coefficient<f64>>,
-    length: f64,
-}
-
 impl<const D: usize> Numbers<D> {
     fn new(difference: &ExactDifference<D>) -> Self {
         let scale = difference.binary_exponent().unwrap_or(0);
         let all = difference.generators.iter().flatten().flatten().chain(&difference.displacement);
         let unit = all.filter(|c| !c.is_zero()).map(Dyadic::exponent).min().unwrap_or(0);
+        let in_pairs = |v: &[Dyadic; D]| v.each_ref().map(|c| pair(&c.clone().scaled(-scale)));
         let rounded = |v: &[Dyadic; D]| v.each_ref().map(|c| c.clone().scaled(-scale).to_f64());
         let whole = |v: &[Dyadic; D]| v.each_ref().map(|c| Rational::from(c.units(unit)));
         let rounded_lists = difference.generators.each_ref().map(|list| list.iter().map(rounded).collect());
@@ -173,41 +181,53 @@ impl<const D: usize> Numbers<D> {
         Self {
             rounded: rounded_lists,
             rounded_displacement,
+            pairs: difference.generators.each_ref().map(|list| list.iter().map(in_pairs).collect()),
+            displacement_in_pairs: in_pairs(&difference.displacement),
             whole: difference.generators.each_ref().map(|list| list.iter().map(whole).collect()),
             whole_displacement: whole(&difference.displacement),
             is_concentric: difference.is_concentric(),
             unit,
             scale,
             error: UNIT * (terms + FURTHER_ROUNDINGS) * size * LONG_SUM + (terms + 1.0) * PRODUCT_UNDERFLOW,
+            error_of_pairs: SUM_OF_PAIRS * (terms + FURTHER_ROUNDINGS) * size * LONG_SUM
+                + (terms + 1.0) * PRODUCT_UNDERFLOW,
+            weight: 1 + ((scale - unit) / BITS_PER_OPERATION) as u64,
         }
     }
 
-    /// Looks for a farther vertex on one side; none where that takes too many searches in rationals.
-    fn look_at_vertices(&self, generators: &[[Dyadic; D]], side: usize, farthest: &mut Farthest<D>) -> Option<()> {
+    /// Looks for a farther vertex on one side; none where that takes more than what is left of the operations in
+    /// rationals.
+    fn look_at_vertices(
+        &self,
+        generators: &[[Dyadic; D]],
+        side: usize,
+        farthest: &mut Farthest<D>,
+        left: &mut u64,
+    ) -> Option<()> {
         let is_one_of_two = |signs: &Vec<Ordering>| signs.first().is_none_or(|sign| sign.is_gt());
         let all = vertices_of(generators).into_iter();
         let listed = all.filter(|signs| !self.is_concentric || is_one_of_two(signs));
         let mut start: Vec<Coefficient<f64>> = vec![Coefficient::AtEnd(true); self.rounded[1 - side].len()];
-        let mut vertices: Vec<Vertex> = Vec::new();
+        let mut vertices: BinaryHeap<Vertex> = BinaryHeap::new();
         for signs in listed {
             let point = vertex(&self.rounded[side], &self.rounded_displacement, side, &signs);
             let mut search = NearestPoint::new(&point, &self.rounded[1 - side], start);
             search.run();
             let (near, vector) = (search.coefficients(), search.vector());
-            let length = sum_of_products(&vector, &vector).sqrt();
+            let upper = (sum_of_products(&vector, &vector).sqrt() + self.error) * THIRTY_ROUNDINGS;
             start = near.clone();
-            vertices.push(Vertex { signs, near, length });
+            vertices.push(Vertex { signs, near, upper, is_refined: false });
         }
-        vertices.sort_by(|a, b| b.length.total_cmp(&a.length).then_with(|| a.signs.cmp(&b.signs)));
         let mut least = self.in_scale(&farthest.square);
-        for (searches, candidate) in vertices.into_iter().enumerate() {
-            if (candidate.length + self.error) * LONG_SUM < least {
+        while let Some(candidate) = vertices.pop() {
+            if candidate.upper < least {
                 break;
             }
-            if searches * D.pow(3) > EXACT_SEARCH_LIMIT {
-                return None;
+            if !candidate.is_refined {
+                vertices.push(self.refined(side, candidate));
+                continue;
             }
-            let vector = self.exact_vector(side, &candidate)?;
+            let vector = self.exact_vector(side, &candidate, left)?;
             let square = sum_of_products(&vector, &vector);
             if square > farthest.square {
                 *farthest = Farthest { square, vector };
@@ -217,15 +237,47 @@ impl<const D: usize> Numbers<D> {
         Some(())
     }
 
+    /// The vertex with its near point in pairs of doubles.
+    fn refined(&self, side: usize, candidate: Vertex) -> Vertex {
+        let point = vertex(&self.pairs[side], &self.displacement_in_pairs, side, &candidate.signs);
+        let inside = |coefficient: &Coefficient<f64>| match coefficient {
+            Coefficient::Free(value) if value.abs() < 1.0 => Coefficient::Free(DoubleDouble::from(*value)),
+            other => Coefficient::AtEnd(is_positive(other)),
+        };
+        let mut search = NearestPoint::new(&point, &self.pairs[1 - side], candidate.near.iter().map(inside).collect());
+        search.run();
+        let vector = search.vector();
+        let length = sum_of_products(&vector, &vector).sqrt().high;
+        let upper = (length + self.error_of_pairs) * THIRTY_ROUNDINGS;
+        let near = search.coefficients().into_iter().map(|coefficient| match coefficient {
+            Coefficient::Free(value) => Coefficient::Free(value.high),
+            Coefficient::AtEnd(is_positive) => Coefficient::AtEnd(is_positive),
+        });
+        // a search that ended at a singular system may be farther off than the one in doubles
+        match upper < candidate.upper {
+            true => Vertex { signs: candidate.signs, near: near.collect(), upper, is_refined: true },
+            false => Vertex { is_refined: true, ..candidate },
+        }
+    }
+
     /// A length, not above it, in the scale of the doubles.
     fn in_scale(&self, square: &Rational) -> f64 {
         Root::of(square, self.unit - self.scale).below
     }
 
-    /// From the nearest point of the other body to a vertex, exactly.
-    fn exact_vector(&self, side: usize, candidate: &Vertex) -> Option<[Rational; D]> {
+    /// From the nearest point of the other body to a vertex, exactly; none where that takes more than what is left of
+    /// the operations in rationals.
+    fn exact_vector(&self, side: usize, candidate: &Vertex, left: &mut u64) -> Option<[Rational; D]> {
+        let others = &self.whole[1 - side];
         let point = vertex(&self.whole[side], &self.whole_displacement, side, &candidate.signs);
-        let begin_with = |start| NearestPoint::new(&point, &self.whole[1 - side], start).run();
+        // a round takes a product with each generator and a linear system
+        let round = (others.len() as u64 * D as u64 + (D as u64).pow(3)).saturating_mul(self.weight);
+        let mut begin_with = |start| {
+            let mut search = NearestPoint::new(&point, others, start);
+            let vector = search.run_within(usize::try_from(*left / round).unwrap_or(usize::MAX));
+            *left = left.saturating_sub(round.saturating_mul(search.rounds() as u64));
+            vector
+        };
         let inside = |coefficient: &Coefficient<f64>| match coefficient {
             Coefficient::Free(value) if value.abs() < 1.0 => Coefficient::Free(rational(*value)),
             other => Coefficient::AtEnd(is_positive(other)),
@@ -234,26 +286,6 @@ impl<const D: usize> Numbers<D> {
         begin_with(candidate.near.iter().map(inside).collect())
             .or_else(|| begin_with(candidate.near.iter().map(at_end).collect()))
     }
-}
-
-fn is_positive(coefficient: &Coefficient<f64>) -> bool {
-    match coefficient {
-        Coefficient::AtEnd(is_positive) => *is_positive,
-        Coefficient::Free(value) => *value > 0.0,
-    }
-}
-
-/// A vertex of one side, relative to the centre of the other body.
-fn vertex<N: Ring, const D: usize>(
-    generators: &[[N; D]],
-    displacement: &[N; D],
-    side: usize,
-    signs: &[Ordering],
-) -> [N; D] {
-    let center = array::from_fn(|k| if side == 0 { displacement[k].clone() } else { N::ZERO.minus(&displacement[k]) });
-    generators.iter().zip(signs).fold(center, |sum: [N; D], (g, sign)| {
-        array::from_fn(|k| if sign.is_lt() { sum[k].minus(&g[k]) } else { sum[k].plus(&g[k]) })
-    })
 }
 
 impl<const D: usize> Numbers<D> {

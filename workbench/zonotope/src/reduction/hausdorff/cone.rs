@@ -135,6 +135,8 @@ pub(super) struct Cone<const D: usize> {
     pub(super) lower: f64,
     /// By how much rounding keeps the bounds of narrow cones apart.
     pub(super) doubt: f64,
+    /// Whether the difference is certainly below 0 in the whole cone.
+    pub(super) is_below: bool,
 }
 
 impl<const D: usize> Cone<D> {
@@ -165,7 +167,7 @@ impl<const D: usize> Cone<D> {
         let middle = center.0.map(|c| c / length);
         let point = nearer.extreme(&difference.nearer, &middle);
         let value = farther.value(&difference.farther, &middle) - dot(&point, &middle);
-        let mut largest = 0.0f64;
+        let mut largest = f64::NEG_INFINITY;
         let mut cosine = 1.0f64;
         for (bits, reach) in corners.iter().enumerate() {
             let corner = part.corner(bits);
@@ -177,13 +179,14 @@ impl<const D: usize> Cone<D> {
         let error = rounding.of_terms(difference.farther.len() + nearer.open.len());
         // along u = Σ λ_i u_i of unit corners u_i, λ ≥ 0, the difference is at most Σ λ_i times the largest value at a
         // corner, and |u| ≥ middle · u ≥ Σ λ_i times the least cosine
+        let is_below = largest < -error * THIRTY_ROUNDINGS;
         let upper = match cosine > 0.0 {
-            true => (largest + error) * THIRTY_ROUNDINGS / (cosine * (2.0 - THIRTY_ROUNDINGS)),
+            true => (largest.max(0.0) + error) * THIRTY_ROUNDINGS / (cosine * (2.0 - THIRTY_ROUNDINGS)),
             false => f64::INFINITY,
         };
         let lower = ((value - error) * (2.0 - THIRTY_ROUNDINGS)).max(0.0);
         let doubt = 2.0 * rounding.of_terms(difference.farther.len());
-        Self { part, corners, farther, nearer, upper, middle, lower, doubt }
+        Self { part, corners, farther, nearer, upper, middle, lower, doubt, is_below }
     }
 
     /// How many products of a direction and a vector the cone takes: one for each open generator, and at each corner

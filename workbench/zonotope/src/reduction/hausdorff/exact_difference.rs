@@ -14,7 +14,7 @@ use crate::zonotope::directions::Directions;
 
 /// Two centred bodies without what both have, and the vector between their centres.
 #[derive(Debug, Clone)]
-pub(super) struct ExactDifference<const D: usize> {
+pub(in crate::reduction) struct ExactDifference<const D: usize> {
     /// The generators of the first body and of the second, of which no two are parallel.
     pub(super) generators: [Vec<[Dyadic; D]>; 2],
     /// From the centre of the second body to that of the first.
@@ -23,7 +23,7 @@ pub(super) struct ExactDifference<const D: usize> {
 
 impl<const D: usize> ExactDifference<D> {
     /// The difference of two bodies. O(n log n).
-    pub(super) fn new(a: &Zonotope<D>, b: &Zonotope<D>) -> Self {
+    pub(in crate::reduction) fn new(a: &Zonotope<D>, b: &Zonotope<D>) -> Self {
         let (own, others) = (a.generators(), b.generators());
         let all: Vec<[f64; D]> = own.iter().chain(others).copied().collect();
         let directions = Directions::of_finite(&all);

@@ -26,12 +26,16 @@ mod cone;
 mod difference;
 mod doors;
 mod exact_difference;
+mod inside;
 mod nearest_point;
+mod vertex;
 
 pub use answer::Distance;
 pub(in crate::reduction) use by_branch_and_bound::Limit;
 pub(in crate::reduction) use doors::excess_with_limit;
 pub use doors::{excess, hausdorff};
+pub(in crate::reduction) use exact_difference::ExactDifference;
+pub(in crate::reduction) use inside::lies_inside;
 
 #[cfg(test)]
 mod tests;

@@ -5,21 +5,26 @@
 //! present ones, those that reach an end are fixed there. A fixed one that would improve the distance by leaving its
 //! end is freed next, and where there is none, the point is nearest. Each round comes nearer, so no set of free
 //! generators comes twice; they are independent, as the vector to the point is orthogonal to all of them but the one
-//! that is freed. In doubles the same steps lead to a guess, in rationals to the nearest point itself.
+//! that is freed. In doubles the same steps lead to a guess, in pairs of doubles to a better one, in rationals to the
+//! nearest point itself.
 
 use std::cmp::Ordering;
 
 use crate::numeric::Rational;
+use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::linear::{Ring, dot};
 
-/// Rounds in doubles, at most, for each generator, and some more.
+/// Rounds at most, for each generator, and some more.
 const ROUNDS_PER_GENERATOR: usize = 2;
 
-/// Rounds in any case, in doubles and in rationals.
+/// Rounds in any case.
 const FURTHER_ROUNDS: usize = 64;
 
 /// The part of the product of two lengths below which a product of doubles counts as 0 in a guess.
 const GUESSED_ZERO: f64 = 1e-14;
+
+/// The same of pairs of doubles.
+const GUESSED_ZERO_OF_PAIRS: DoubleDouble = DoubleDouble { high: 1e-29, low: 0.0 };
 
 /// Numbers with a quotient and a sign.
 pub(super) trait Field: Ring {
@@ -42,6 +47,20 @@ impl Field for f64 {
 
     fn counts_as_zero(&self, lengths: impl FnOnce() -> Self) -> bool {
         self.abs() <= GUESSED_ZERO * lengths()
+    }
+}
+
+impl Field for DoubleDouble {
+    fn over(&self, other: &Self) -> Self {
+        *self / *other
+    }
+
+    fn sign(&self) -> Ordering {
+        self.high.sign()
+    }
+
+    fn counts_as_zero(&self, lengths: impl FnOnce() -> Self) -> bool {
+        self.high.abs() <= (GUESSED_ZERO_OF_PAIRS * lengths()).high
     }
 }
 
@@ -74,12 +93,15 @@ pub(super) struct NearestPoint<'a, N, const D: usize> {
     free: Vec<(usize, N)>,
     /// The point without the generators that are fixed.
     rest: [N; D],
+    /// Rounds begun so far.
+    rounds: usize,
 }
 
 impl<'a, N: Field, const D: usize> NearestPoint<'a, N, D> {
     /// A search for the point nearest to `point` that begins with given coefficients between −1 and 1.
     pub(super) fn new(point: &[N; D], generators: &'a [[N; D]], start: Vec<Coefficient<N>>) -> Self {
-        let mut search = Self { generators, ends: vec![None; generators.len()], free: Vec::new(), rest: point.clone() };
+        let (ends, free, rest) = (vec![None; generators.len()], Vec::new(), point.clone());
+        let mut search = Self { generators, ends, free, rest, rounds: 0 };
         for (index, coefficient) in start.into_iter().enumerate() {
             match coefficient {
                 Coefficient::AtEnd(is_positive) => search.fix(index, is_positive),
@@ -97,10 +119,21 @@ impl<'a, N: Field, const D: usize> NearestPoint<'a, N, D> {
         list
     }
 
+    /// The rounds that the search has taken.
+    pub(super) fn rounds(&self) -> usize {
+        self.rounds
+    }
+
     /// The vector from the nearest point to the point; none where the rounds are used up, or the free generators that
     /// the search began with are dependent.
     pub(super) fn run(&mut self) -> Option<[N; D]> {
-        for _ in 0..ROUNDS_PER_GENERATOR * self.generators.len() + FURTHER_ROUNDS {
+        self.run_within(usize::MAX)
+    }
+
+    /// The same with at most so many rounds.
+    pub(super) fn run_within(&mut self, most: usize) -> Option<[N; D]> {
+        for _ in 0..most.min(ROUNDS_PER_GENERATOR * self.generators.len() + FURTHER_ROUNDS) {
+            self.rounds += 1;
             self.improve_free()?;
             let vector = self.vector();
             match self.freed(&vector) {

@@ -25,6 +25,10 @@ pub(crate) struct Generation<'a, const D: usize> {
     added: BTreeSet<([usize; D], bool, usize)>,
     /// A point outside by less than this, relative to the total length of the generators, counts as inside.
     precision: f64,
+    /// What the looks at points have taken, in products.
+    looks: u64,
+    /// The generation gives up after so much work.
+    work_limit: u64,
     /// The number of programs solved.
     pub(crate) rounds: usize,
     /// The number of passes over all points.
@@ -49,6 +53,9 @@ const CERTAINLY_INSIDE_REACH: f64 = 1.0 + 1e-9;
 
 /// The working set begins with about this many of the points if there are at least four times as many.
 const SAMPLE_SIZE: usize = 2048;
+
+/// A look at a point takes about so many products, where the facet that its ray meets is known or near.
+const PRODUCTS_PER_LOOK: u64 = 64;
 
 /// The least coefficient in a search for facets, relative to the largest one: directions with the coefficient 0 get
 /// this one, so that the generators span the space.
@@ -81,6 +88,8 @@ impl<'a, const D: usize> Generation<'a, D> {
             is_working: vec![false; points.len()],
             added: BTreeSet::new(),
             precision: 1e-14,
+            looks: 0,
+            work_limit: u64::MAX,
             rounds: 0,
             passes: 1,
         };
@@ -125,6 +134,16 @@ impl<'a, const D: usize> Generation<'a, D> {
         self.program.precision = precision;
     }
 
+    /// Sets the work after which the generation gives up: entries that the programs read, and products of points.
+    pub(crate) fn set_work_limit(&mut self, limit: u64) {
+        self.work_limit = limit;
+    }
+
+    /// The work so far.
+    pub(crate) fn work(&self) -> u64 {
+        self.program.entries_read() + self.looks
+    }
+
     /// The directions of the program.
     pub(crate) fn directions(&self) -> &[[f64; D]] {
         &self.directions
@@ -133,6 +152,10 @@ impl<'a, const D: usize> Generation<'a, D> {
     /// Solves and adds normals until no point is outside by more than the precision.
     pub(crate) fn run(&mut self, tally: &mut dyn Tally) -> Result<(), Stuck> {
         for _ in 0..ROUND_LIMIT {
+            if self.work() > self.work_limit {
+                return Err(Stuck);
+            }
+            self.program.set_entries_limit(self.work_limit - self.looks);
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
             let optimized = self.program.optimize();
@@ -164,6 +187,8 @@ impl<'a, const D: usize> Generation<'a, D> {
         let (points, is_working, working) = (self.points, &self.is_working, &self.working);
         let count = if others { points.len() - working.len() } else { working.len() };
         tally.add(Operation::PointRead, count as u64);
+        self.looks += count as u64 * PRODUCTS_PER_LOOK;
+        let products_per_height = self.directions.len() as u64 * D as u64;
         let outside_set = (0..points.len()).filter(|&j| others && !is_working[j]);
         let of_set = working.iter().copied().filter(|_| !others);
         let mut deepest: BTreeMap<([usize; D], bool), ViolatedFacet<D>> = BTreeMap::new();
@@ -171,6 +196,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             let ray: [f64; D] = std::array::from_fn(|c| points[j][c] - center[c]);
             let Some(exit) = self.map.exit(&ray).filter(|exit| exit.reach < CERTAINLY_INSIDE_REACH) else { continue };
             let normal = exit.normal;
+            self.looks += products_per_height;
             let height: f64 = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, &normal).abs() * c).sum();
             let depth = dot(&normal, &ray) - height;
             if depth > rounding {
@@ -195,6 +221,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let normals: Vec<[f64; D]> = violated.iter().map(|facet| facet.normal).collect();
         let count = if over_all { self.points.len() } else { self.working.len() };
         tally.add(Operation::PointRead, count as u64 * normals.len() as u64);
+        self.looks += count as u64 * normals.len() as u64 * D as u64;
         let far = if over_all {
             farthest(self.points, 0..self.points.len(), &normals)
         } else {

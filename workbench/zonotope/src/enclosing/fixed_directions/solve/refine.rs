@@ -24,7 +24,7 @@ const RATIONAL_POINT_LIMIT: usize = 80;
 /// The pivots of all rational programs of a problem may take this much work together, in products of words. It is
 /// more than programs of a hundred normals take in numbers of like sizes; those of numbers of all sizes would take far
 /// more.
-const RATIONAL_WORK_LIMIT: u64 = 1 << 30;
+const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
 
 /// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
 /// least one point.

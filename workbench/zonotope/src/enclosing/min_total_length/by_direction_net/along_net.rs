@@ -3,10 +3,12 @@
 //! In the optimum few directions of a net have a generator. So the linear program is solved for a part of the
 //! directions. The dual constraint of a direction v is Σ_j |λ_j · v| ≤ 1 for the multipliers λ_j; directions whose
 //! constraint the multipliers violate join the part, until there are none. The optimum for the part is that of the
-//! whole net then.
+//! whole net then. Every part has a zonotope around all points and a lower bound for all directions, so the work can
+//! end at any of them.
 
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::answer::{MinLengthError, MinLengthZonotope};
+use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::conclude::{around_equal_points, conclude};
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
@@ -23,6 +25,13 @@ const WHOLE_NET_LIMIT: usize = 250;
 
 /// and so is a net of at most this many directions for each point: many points use many directions.
 const DIRECTIONS_PER_POINT_LIMIT: usize = 25;
+
+/// unless it has more directions than this: a program takes time in proportion to the cube of their number.
+const LARGEST_WHOLE_NET: usize = 600;
+
+/// The programs end after so many entries and products of points, which take about a second; then the answer is the
+/// best of the zonotopes of the parts so far.
+const WORK_LIMIT: u64 = 1 << 31;
 
 /// At most this many directions join the program in a round, and it begins with about as many.
 const PART_SIZE: usize = 60;
@@ -42,14 +51,13 @@ pub(super) fn min_length_along_net<const D: usize>(
     }
     let net = net(rank);
     let mut is_chosen = vec![false; net.len()];
-    let stride = if net.len() > WHOLE_NET_LIMIT.max(DIRECTIONS_PER_POINT_LIMIT * points.len()) {
-        net.len() / PART_SIZE
-    } else {
-        1
-    };
+    let largest_whole = WHOLE_NET_LIMIT.max(LARGEST_WHOLE_NET.min(DIRECTIONS_PER_POINT_LIMIT * points.len()));
+    let stride = if net.len() > largest_whole { net.len() / PART_SIZE } else { 1 };
     is_chosen.iter_mut().step_by(stride).for_each(|chosen| *chosen = true);
     let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
     let (mut best, mut progress) = (BestBound::none(), Vec::new());
+    let coordinates = BoxCoordinates::of(&frame);
+    let (mut shortest, mut work) = (coordinates.boxed(), 0);
     loop {
         let chosen = net.iter().zip(&is_chosen).filter(|(_, chosen)| **chosen);
         let directions: Vec<[f64; D]> = chosen.map(|(v, _)| *v).collect();
@@ -58,9 +66,11 @@ pub(super) fn min_length_along_net<const D: usize>(
         if stride == 1 {
             generation.set_precision(precision);
         }
+        generation.set_work_limit(WORK_LIMIT - work);
         // A generation that gets stuck leaves a zonotope and multipliers that are proven like any others; the ratio
         // says how good they are. The next round takes the whole net.
         let is_stuck = generation.run(tally).is_err();
+        work += generation.work();
         let program = &generation.program;
         let unbalanced: Vec<(usize, [f64; D])> =
             program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
@@ -73,10 +83,21 @@ pub(super) fn min_length_along_net<const D: usize>(
         joining.retain(|(activity, _)| is_stuck || *activity > 1.0 + precision);
         joining.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         best.improve(rank, &frame.points, multipliers, f64::INFINITY);
-        let inner = FrameZonotope::along(&generation);
-        progress.push([inner.upper, best.lower]);
-        if joining.is_empty() {
+        let mut inner = FrameZonotope::along(&generation);
+        let is_used_up = is_stuck && work >= WORK_LIMIT;
+        if joining.is_empty() && !is_used_up {
+            progress.push([inner.upper, best.lower]);
             return conclude(points, &frame, inner, &best, progress, net.len(), epsilon);
+        }
+        if is_stuck {
+            inner = coordinates.stretched(inner);
+        }
+        if inner.upper < shortest.upper {
+            shortest = inner;
+        }
+        progress.push([shortest.upper, best.lower]);
+        if is_used_up || work >= WORK_LIMIT {
+            return conclude(points, &frame, shortest, &best, progress, net.len(), epsilon);
         }
         joining.iter().take(if is_stuck { net.len() } else { PART_SIZE }).for_each(|(_, i)| is_chosen[*i] = true);
     }

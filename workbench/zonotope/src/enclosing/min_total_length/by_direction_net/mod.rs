@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains
-//! every point exactly, whose total length is at most 1 + ε times the least possible, and a proven lower bound. The
-//! ratio that it proves is often far better than 1 + ε.
+//! every point exactly, whose total length is at most 1 + ε times the least possible unless the work ends before, and a
+//! proven lower bound. The ratio that it proves is often far better than 1 + ε.
 //!
 //! # Source
 //! Section 4.3, Theorem 4.7 ([`Net::Paper`]): a net of mesh ε/d and the axes. Some direction v of the net differs from
@@ -24,6 +24,9 @@
 //! # Complexity
 //! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other. Each of some rounds takes
 //! a pass over the directions and the time of the method for fixed directions with the part of them that has joined.
+//! After 2^31 entries of the programs and products of points, about a second, the work ends with the shortest zonotope
+//! and the greatest lower bound so far: the ratio that these prove is stated, and [`Outcome`](super::Outcome) says
+//! whether it is at most 1 + ε.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.

@@ -63,7 +63,7 @@ fn from_net<'a, R: Scalar, const D: usize>(
     if multipliers.len() < 2 {
         return None;
     }
-    let along_net = stretched(FrameZonotope::along(&generation), coordinates);
+    let along_net = coordinates.stretched(FrameZonotope::along(&generation));
     if along_net.upper < inner.upper {
         *inner = along_net;
     }
@@ -77,11 +77,4 @@ fn from_net<'a, R: Scalar, const D: usize>(
     let multipliers = multipliers.into_iter().map(|(_, f)| f).collect();
     let sets = VertexSets::with_multipliers(rank, coordinates, &points, multipliers, &directions);
     Some(Members::new(frame, coordinates, sets, places))
-}
-
-/// A zonotope with its generators lengthened until it contains all points.
-fn stretched<const D: usize>(inner: FrameZonotope<D>, coordinates: &BoxCoordinates<'_, D>) -> FrameZonotope<D> {
-    let stretch = coordinates.stretch(inner.center, &inner.generators);
-    let generators = inner.generators.iter().map(|g| g.map(|c| c * stretch)).collect();
-    FrameZonotope { upper: inner.upper * stretch, center: inner.center, generators, witnesses: Vec::new() }
 }

@@ -39,7 +39,8 @@ enum Basic {
     Slack(usize),
 }
 
-/// The method gave up, because of rounding errors or after more pivots than a program of the size should need.
+/// The method gave up, because of rounding errors, after more pivots than a program of the size should need, or at a
+/// limit of its work.
 #[derive(Debug)]
 pub(crate) struct Stuck;
 
@@ -68,6 +69,10 @@ pub(crate) struct NormalProgram<const D: usize> {
     pivots: u64,
     /// The entries of columns, of the inverse and of the block that is inverted that have been read so far.
     entries_read: u64,
+    /// How many of them have been told.
+    entries_told: u64,
+    /// The method gives up after so many.
+    entries_limit: u64,
     /// A reduced gain below this, relative to the terms that it is the sum of, counts as zero.
     pub(crate) precision: f64,
 }
@@ -105,6 +110,8 @@ impl<const D: usize> NormalProgram<D> {
             pivots_since_inverse: 0,
             pivots: 0,
             entries_read: 0,
+            entries_told: 0,
+            entries_limit: u64::MAX,
             precision: FINEST_PRECISION,
         };
         for axis in axes {
@@ -175,9 +182,19 @@ impl<const D: usize> NormalProgram<D> {
         self.inverse.iter().map(|row| product_in_fours(row, &bounds)).collect()
     }
 
+    /// The entries that have been read so far.
+    pub(crate) fn entries_read(&self) -> u64 {
+        self.entries_read
+    }
+
+    /// Sets the number of entries after which the method gives up.
+    pub(crate) fn set_entries_limit(&mut self, limit: u64) {
+        self.entries_limit = limit;
+    }
+
     /// The entries that have been read since this was asked the last time.
     pub(crate) fn take_entries_read(&mut self) -> u64 {
-        std::mem::take(&mut self.entries_read)
+        self.entries_read - std::mem::replace(&mut self.entries_told, self.entries_read)
     }
 
     /// The number of entries of some vectors that are as long as a column.
@@ -224,7 +241,7 @@ impl<const D: usize> NormalProgram<D> {
                 *price += step * v;
             }
             self.pivot(leaving, entering, &column);
-            if self.pivots > end {
+            if self.pivots > end || self.entries_read > self.entries_limit {
                 return Err(Stuck);
             }
             if self.pivots_since_inverse >= PIVOTS_PER_INVERSE {
@@ -268,7 +285,7 @@ impl<const D: usize> NormalProgram<D> {
             }
             let column = self.column(entering);
             self.pivot(worst, entering, &column);
-            if self.pivots > end {
+            if self.pivots > end || self.entries_read > self.entries_limit {
                 return Err(Stuck);
             }
             if self.pivots_since_inverse >= PIVOTS_PER_INVERSE {
