@@ -41,8 +41,8 @@ impl WideVector {
             return (0.0, OF_ZERO);
         }
         let mut sum = 0.0;
-        for k in 0..MOST_COORDINATES {
-            sum += self.mantissas[k] * other.mantissas[k] * power_of_two(i64::from(exponents[k] - unit));
+        for ((own, others), exponent) in self.mantissas.iter().zip(&other.mantissas).zip(exponents) {
+            sum += own * others * power_of_two(i64::from(exponent - unit));
         }
         (sum, unit)
     }
