@@ -274,6 +274,6 @@ pub fn damaged(dice: &mut Dice, text: &str) -> String {
                 *dice.choose(&["1e400", "-1e999", "NaN", "Infinity", "0x1", "01", "+1", "1.", "1e-400", "--1"]);
             format!("{}{number}{}", &text[..at], &text[at + 1..])
         }
-        _ => put(text.len(), dice.choose(&["}", "{}", ",", "\0", text])),
+        _ => put(text.len(), dice.choose::<&str>(&["}", "{}", ",", "\0", text])),
     }
 }

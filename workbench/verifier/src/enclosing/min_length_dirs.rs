@@ -12,6 +12,7 @@ use std::fmt::{self, Display};
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
+use super::center_rounding::{cost_of_rounding, is_beyond};
 use super::lower_bound::check_bound;
 use crate::RELATIVE_ERROR;
 use crate::exact::fraction::{Fraction, common_denominator, whole_numbers};
@@ -111,10 +112,30 @@ pub fn check_min_length_dirs_feasible(question: &Directed, answer: &DirectedAnsw
         if figures(answer).is_some_and(|[value, bound]| !is_apart(value, bound, 1.0 - SHARE_ERROR)) {
             return Err("the value is the least, but for rounding, and not called so".into());
         }
+        check_gap_by_rounding(question, answer)?;
         Ok(proof)
     });
     checked.into()
 }
+
+/// Leaves an answer unchecked whose value is farther above its bound than rounding the centre explains.
+fn check_gap_by_rounding(question: &Directed, answer: &DirectedAnswer) -> Result<(), Stop> {
+    let DirectedAnswer::Optimal { value, center, lower_bound, .. } = answer else { return Ok(()) };
+    let exact = Proportion::of_double(value.min(f64::MAX));
+    let gap = exact.minus(&Proportion::of_double(*lower_bound));
+    let of_value = exact.times(&Proportion::of_double(SHARE_ERROR));
+    if !is_beyond(&gap, cost_of_rounding(question, center), ROUNDED_PLACES, &of_value) {
+        return Ok(());
+    }
+    Err(Stop::Unchecked(format!(
+        "contains all {} points, but value {value:?} is farther above the proven bound {lower_bound:?} than rounding \
+         the centre to doubles explains",
+        question.points.len()
+    )))
+}
+
+/// Units in the last place by which a centre of doubles may miss the optimal one, about.
+const ROUNDED_PLACES: f64 = 8.0;
 
 /// By how much rounding may change the share of a bound that is computed in doubles.
 const SHARE_ERROR: f64 = 1e-9;

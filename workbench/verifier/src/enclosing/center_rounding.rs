@@ -1,0 +1,92 @@
+//! The cost of rounding the centre of an enclosing zonotope along given directions to doubles.
+//!
+//! A centre that is moved by t leaves the points in the zonotope if ±t is added to it: with t = Σ μ_i v_i over a basis
+//! of the directions, that costs Σ w_i |μ_i| at most. The cheapest basis that is looked at gives the bound.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::min_length_dirs::Directed;
+use crate::exact::grid::Grid;
+use crate::exact::linear::{Echelon, Vector, solve};
+use crate::exact::proportion::Proportion;
+use crate::exact::subsets::{count_subsets, subsets};
+
+/// Limit of the bases that are looked at: all if there are no more, else one.
+const MOST_BASES: u64 = 2000;
+
+/// A bound of the cost of moving the centre by one unit in the last place along every axis; `None` if the directions
+/// do not span the space.
+pub(super) fn cost_of_rounding(question: &Directed, center: &[f64]) -> Option<Proportion> {
+    let grid = Grid::of(question.directions.iter().flatten().copied());
+    let directions: Vec<Vector> =
+        question.directions.iter().map(|v| v.iter().map(|&x| grid.units(x)).collect()).collect();
+    let (count, dimension) = (directions.len(), center.len());
+    let cost = |basis: &[usize]| cost_with(question, center, basis, &directions, grid);
+    if count_subsets(count, dimension) <= MOST_BASES {
+        let costs = subsets(count, dimension).filter_map(|basis| cost(&basis));
+        return costs.min_by(|a, b| a.compare(b));
+    }
+    let mut echelon = Echelon::spanned(dimension, []);
+    let basis: Vec<usize> = (0..count).filter(|&index| echelon.insert(&directions[index])).collect();
+    (basis.len() == dimension).then(|| cost(&basis)).flatten()
+}
+
+/// The cost by one choice of as many directions as there are coordinates; `None` if they are dependent.
+fn cost_with(
+    question: &Directed,
+    center: &[f64],
+    basis: &[usize],
+    directions: &[Vector],
+    grid: Grid,
+) -> Option<Proportion> {
+    let columns: Vec<&Vector> = basis.iter().map(|&index| &directions[index]).collect();
+    let weights = Grid::of(basis.iter().map(|&index| question.weights[index]));
+    let mut sum = Proportion::of_double(0.0);
+    for (axis, &coordinate) in center.iter().enumerate() {
+        let target: Vector = (0..center.len()).map(|other| IBig::from(u8::from(other == axis))).collect();
+        let (numerators, denominator) = solve(&columns, &target)?;
+        let along: IBig =
+            basis.iter().zip(numerators).map(|(&i, x)| weights.units(question.weights[i]) * x.abs()).sum();
+        let along = Proportion::new(along, denominator, weights.exponent() - grid.exponent());
+        sum = sum.plus(&along.times(&Proportion::of_double(last_place(coordinate))));
+    }
+    Some(sum)
+}
+
+/// The distance of a finite double from its neighbour on the side of zero, from zero the smallest double.
+fn last_place(number: f64) -> f64 {
+    let size = number.abs();
+    if size == 0.0 { f64::from_bits(1) } else { size - size.next_down() }
+}
+
+/// Whether a gap is more than so many times what rounding a centre costs, and more than a part of the value; never
+/// where that cost is not known.
+pub(super) fn is_beyond(gap: &Proportion, cost: Option<Proportion>, room: f64, of_value: &Proportion) -> bool {
+    cost.is_some_and(|cost| {
+        let allowed = cost.times(&Proportion::of_double(room)).plus(of_value);
+        gap.compare(&allowed) == Ordering::Greater
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_in_the_last_place_costs_what_the_cheapest_basis_says() {
+        let question = Directed {
+            points: vec![vec![4.0, 0.0]],
+            directions: vec![vec![1.0, 0.0], vec![0.0, 2.0], vec![1.0, 1.0]],
+            weights: vec![1.0, 6.0, 1.0],
+        };
+        // (1, 0) costs 1; (0, 1) costs 3 by the second direction, and 2 by the first and the third
+        let cost = cost_of_rounding(&question, &[4.0, 1.0]).expect("the directions span the plane");
+        let [of_x, of_y] = [4.0 - 4.0f64.next_down(), 1.0 - 1.0f64.next_down()];
+        assert_eq!(cost.nearest(), of_x + 2.0 * of_y);
+        let flat = Directed { directions: vec![vec![1.0, 0.0], vec![2.0, 0.0]], weights: vec![1.0; 2], ..question };
+        assert!(cost_of_rounding(&flat, &[4.0, 1.0]).is_none());
+    }
+}
