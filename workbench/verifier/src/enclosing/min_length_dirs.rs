@@ -123,7 +123,8 @@ fn check_gap_by_rounding(question: &Directed, answer: &DirectedAnswer) -> Result
     let DirectedAnswer::Optimal { value, center, lower_bound, .. } = answer else { return Ok(()) };
     let exact = Proportion::of_double(value.min(f64::MAX));
     let gap = exact.minus(&Proportion::of_double(*lower_bound));
-    let of_value = exact.times(&Proportion::of_double(SHARE_ERROR));
+    let smallest = Proportion::of_double(f64::from_bits(1)).times(&Proportion::of_double(ROUNDED_PLACES));
+    let of_value = exact.times(&Proportion::of_double(SHARE_ERROR)).plus(&smallest);
     if !is_beyond(&gap, cost_of_rounding(question, center), ROUNDED_PLACES, &of_value) {
         return Ok(());
     }
