@@ -8,7 +8,6 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use super::min_length_dirs::Directed;
 use crate::exact::grid::Grid;
 use crate::exact::linear::{Echelon, Vector, solve};
 use crate::exact::proportion::Proportion;
@@ -19,12 +18,11 @@ const MOST_BASES: u64 = 2000;
 
 /// A bound of the cost of moving the centre by one unit in the last place along every axis; `None` if the directions
 /// do not span the space.
-pub(super) fn cost_of_rounding(question: &Directed, center: &[f64]) -> Option<Proportion> {
-    let grid = Grid::of(question.directions.iter().flatten().copied());
-    let directions: Vec<Vector> =
-        question.directions.iter().map(|v| v.iter().map(|&x| grid.units(x)).collect()).collect();
+pub(super) fn cost_of_rounding(directions: &[Vec<f64>], weights: &[f64], center: &[f64]) -> Option<Proportion> {
+    let grid = Grid::of(directions.iter().flatten().copied());
+    let directions: Vec<Vector> = directions.iter().map(|v| v.iter().map(|&x| grid.units(x)).collect()).collect();
     let (count, dimension) = (directions.len(), center.len());
-    let cost = |basis: &[usize]| cost_with(question, center, basis, &directions, grid);
+    let cost = |basis: &[usize]| cost_with(weights, center, basis, &directions, grid);
     if count_subsets(count, dimension) <= MOST_BASES {
         let costs = subsets(count, dimension).filter_map(|basis| cost(&basis));
         return costs.min_by(|a, b| a.compare(b));
@@ -36,21 +34,20 @@ pub(super) fn cost_of_rounding(question: &Directed, center: &[f64]) -> Option<Pr
 
 /// The cost by one choice of as many directions as there are coordinates; `None` if they are dependent.
 fn cost_with(
-    question: &Directed,
+    weights: &[f64],
     center: &[f64],
     basis: &[usize],
     directions: &[Vector],
     grid: Grid,
 ) -> Option<Proportion> {
     let columns: Vec<&Vector> = basis.iter().map(|&index| &directions[index]).collect();
-    let weights = Grid::of(basis.iter().map(|&index| question.weights[index]));
+    let of_weights = Grid::of(basis.iter().map(|&index| weights[index]));
     let mut sum = Proportion::of_double(0.0);
     for (axis, &coordinate) in center.iter().enumerate() {
         let target: Vector = (0..center.len()).map(|other| IBig::from(u8::from(other == axis))).collect();
         let (numerators, denominator) = solve(&columns, &target)?;
-        let along: IBig =
-            basis.iter().zip(numerators).map(|(&i, x)| weights.units(question.weights[i]) * x.abs()).sum();
-        let along = Proportion::new(along, denominator, weights.exponent() - grid.exponent());
+        let along: IBig = basis.iter().zip(numerators).map(|(&i, x)| of_weights.units(weights[i]) * x.abs()).sum();
+        let along = Proportion::new(along, denominator, of_weights.exponent() - grid.exponent());
         sum = sum.plus(&along.times(&Proportion::of_double(last_place(coordinate))));
     }
     Some(sum)
@@ -77,16 +74,12 @@ mod tests {
 
     #[test]
     fn a_unit_in_the_last_place_costs_what_the_cheapest_basis_says() {
-        let question = Directed {
-            points: vec![vec![4.0, 0.0]],
-            directions: vec![vec![1.0, 0.0], vec![0.0, 2.0], vec![1.0, 1.0]],
-            weights: vec![1.0, 6.0, 1.0],
-        };
+        let directions = [vec![1.0, 0.0], vec![0.0, 2.0], vec![1.0, 1.0]];
         // (1, 0) costs 1; (0, 1) costs 3 by the second direction, and 2 by the first and the third
-        let cost = cost_of_rounding(&question, &[4.0, 1.0]).expect("the directions span the plane");
+        let cost = cost_of_rounding(&directions, &[1.0, 6.0, 1.0], &[4.0, 1.0]).expect("the directions span the plane");
         let [of_x, of_y] = [4.0 - 4.0f64.next_down(), 1.0 - 1.0f64.next_down()];
         assert_eq!(cost.nearest(), of_x + 2.0 * of_y);
-        let flat = Directed { directions: vec![vec![1.0, 0.0], vec![2.0, 0.0]], weights: vec![1.0; 2], ..question };
-        assert!(cost_of_rounding(&flat, &[4.0, 1.0]).is_none());
+        let flat = [vec![1.0, 0.0], vec![2.0, 0.0]];
+        assert!(cost_of_rounding(&flat, &[1.0; 2], &[4.0, 1.0]).is_none());
     }
 }

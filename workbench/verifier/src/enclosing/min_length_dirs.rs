@@ -125,7 +125,7 @@ fn check_gap_by_rounding(question: &Directed, answer: &DirectedAnswer) -> Result
     let gap = exact.minus(&Proportion::of_double(*lower_bound));
     let smallest = Proportion::of_double(f64::from_bits(1)).times(&Proportion::of_double(ROUNDED_PLACES));
     let of_value = exact.times(&Proportion::of_double(SHARE_ERROR)).plus(&smallest);
-    if !is_beyond(&gap, cost_of_rounding(question, center), ROUNDED_PLACES, &of_value) {
+    if !is_beyond(&gap, cost_of_rounding(&question.directions, &question.weights, center), ROUNDED_PLACES, &of_value) {
         return Ok(());
     }
     Err(Stop::Unchecked(format!(
