@@ -216,6 +216,13 @@ fn read_tiling(value: &Value) -> Option<TilingAnswer> {
 pub fn in_tilings(generators: &[[f64; 3]]) -> Result<(), TestCaseError> {
     let Ok(found) = tiling(generators) else { return Ok(()) };
     let (right, rows) = (tiling_answer(&found), generators.iter().map(|g| g.to_vec()).collect::<Vec<_>>());
-    let is_same = |changed: &Value| read_tiling(changed).as_ref() == Some(&right);
+    // Without tiles nothing refers to an edge, so that their order says nothing.
+    let in_order = |mut answer: TilingAnswer| {
+        if answer.tiles.is_empty() {
+            answer.edges.sort_by_key(|edge| edge.generator);
+        }
+        answer
+    };
+    let is_same = |changed: &Value| read_tiling(changed).map(in_order) == Some(in_order(right.clone()));
     errors_are_noticed(&tiling_json(&right), read_tiling, |answer| check_tiling(&rows, answer), is_same)
 }
