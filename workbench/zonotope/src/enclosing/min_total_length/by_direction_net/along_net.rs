@@ -10,6 +10,7 @@ use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::answer::{MinLengthError, MinLengthZonotope};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::conclude::{around_equal_points, conclude};
+use crate::enclosing::min_total_length::direction_net::Net;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
@@ -26,21 +27,40 @@ const WHOLE_NET_LIMIT: usize = 250;
 /// and so is a net of at most this many directions for each point: many points use many directions.
 const DIRECTIONS_PER_POINT_LIMIT: usize = 25;
 
-/// unless it has more directions than this: a program takes time in proportion to the cube of their number.
+/// unless it has more directions than the limit of the net: a program takes time in proportion to the cube of their
+/// number.
 const LARGEST_WHOLE_NET: usize = 600;
 
-/// The programs end after so many entries and products of points, which take about a second; then the answer is the
-/// best of the zonotopes of the parts so far.
+/// Limit of the entries and products of points of the programs, which take about a second; then the answer is the best
+/// of the zonotopes of the parts so far.
 const WORK_LIMIT: u64 = 1 << 31;
+
+/// The limits of the programs along a net.
+#[derive(Debug, Clone, Copy)]
+struct Limits {
+    /// The most directions of a net that is taken whole for the sake of many points.
+    largest_whole_net: usize,
+    /// The most entries and products of points.
+    work: u64,
+}
+
+impl Limits {
+    /// The limits for a net. The paper's net has none, so that its cost is the one that the paper states.
+    fn of(net: Net) -> Self {
+        match net {
+            Net::Paper => Self { largest_whole_net: usize::MAX, work: u64::MAX },
+            Net::Cells => Self { largest_whole_net: LARGEST_WHOLE_NET, work: WORK_LIMIT },
+        }
+    }
+}
 
 /// At most this many directions join the program in a round, and it begins with about as many.
 const PART_SIZE: usize = 60;
 
-/// The shortest zonotope around points along the directions of a net, which `net` makes for the dimension of their
-/// affine hull.
+/// The shortest zonotope around points along the directions of a net in the dimensions of their affine hull.
 pub(super) fn min_length_along_net<const D: usize>(
     points: &[[f64; D]],
-    net: impl FnOnce(usize) -> Vec<[f64; D]>,
+    net: Net,
     epsilon: f64,
     tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
@@ -49,9 +69,10 @@ pub(super) fn min_length_along_net<const D: usize>(
     if rank == 0 {
         return around_equal_points(points);
     }
-    let net = net(rank);
+    let limits = Limits::of(net);
+    let net: Vec<[f64; D]> = net.directions(rank, epsilon);
     let mut is_chosen = vec![false; net.len()];
-    let largest_whole = WHOLE_NET_LIMIT.max(LARGEST_WHOLE_NET.min(DIRECTIONS_PER_POINT_LIMIT * points.len()));
+    let largest_whole = WHOLE_NET_LIMIT.max(limits.largest_whole_net.min(DIRECTIONS_PER_POINT_LIMIT * points.len()));
     let stride = if net.len() > largest_whole { net.len() / PART_SIZE } else { 1 };
     is_chosen.iter_mut().step_by(stride).for_each(|chosen| *chosen = true);
     let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
@@ -66,7 +87,7 @@ pub(super) fn min_length_along_net<const D: usize>(
         if stride == 1 {
             generation.set_precision(precision);
         }
-        generation.set_work_limit(WORK_LIMIT - work);
+        generation.set_work_limit(limits.work - work);
         // A generation that gets stuck leaves a zonotope and multipliers that are proven like any others; the ratio
         // says how good they are. The next round takes the whole net.
         let is_stuck = generation.run(tally).is_err();
@@ -84,7 +105,7 @@ pub(super) fn min_length_along_net<const D: usize>(
         joining.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         best.improve(rank, &frame.points, multipliers, f64::INFINITY);
         let mut inner = FrameZonotope::along(&generation);
-        let is_used_up = is_stuck && work >= WORK_LIMIT;
+        let is_used_up = is_stuck && work >= limits.work;
         if joining.is_empty() && !is_used_up {
             progress.push([inner.upper, best.lower]);
             return conclude(points, &frame, inner, &best, progress, net.len(), epsilon);
@@ -96,7 +117,7 @@ pub(super) fn min_length_along_net<const D: usize>(
             shortest = inner;
         }
         progress.push([shortest.upper, best.lower]);
-        if is_used_up || work >= WORK_LIMIT {
+        if is_used_up || work >= limits.work {
             return conclude(points, &frame, shortest, &best, progress, net.len(), epsilon);
         }
         joining.iter().take(if is_stuck { net.len() } else { PART_SIZE }).for_each(|(_, i)| is_chosen[*i] = true);

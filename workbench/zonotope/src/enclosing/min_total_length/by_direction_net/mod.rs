@@ -24,9 +24,9 @@
 //! # Complexity
 //! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other. Each of some rounds takes
 //! a pass over the directions and the time of the method for fixed directions with the part of them that has joined.
-//! After 2^31 entries of the programs and products of points, about a second, the work ends with the shortest zonotope
-//! and the greatest lower bound so far: the ratio that these prove is stated, and [`Outcome`](super::Outcome) says
-//! whether it is at most 1 + ε.
+//! Along the other net the work ends after 2^31 entries of the programs and products of points, about a second, with
+//! the shortest zonotope and the greatest lower bound so far: the ratio that these prove is stated, and
+//! [`Outcome`](super::Outcome) says whether it is at most 1 + ε.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
@@ -98,5 +98,5 @@ pub fn min_length_by_net_counted<const D: usize>(
     if size > DIRECTION_LIMIT {
         return Err(MinLengthError::TooManyDirections(size));
     }
-    min_length_along_net(points, |rank| net.directions(rank, epsilon), epsilon, tally)
+    min_length_along_net(points, net, epsilon, tally)
 }
