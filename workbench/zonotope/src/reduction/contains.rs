@@ -8,22 +8,20 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{Span, exact};
 use crate::zonotope::Zonotope;
 
-/// So many products of a facet normal and a generator are taken at most, each normal counted as [`NORMAL_PRODUCTS`]
-/// more.
+/// Limit of the products of a facet normal and a generator, each normal counted as [`NORMAL_PRODUCTS`] more.
 const PRODUCT_LIMIT: u64 = 1 << 27;
 
-/// So many products take as long as a normal.
+/// The products that take as long as a normal.
 const NORMAL_PRODUCTS: u64 = 64;
 
-/// So many of them are taken in exact arithmetic at most: where doubles leave a doubt, as they do of nearly equal
-/// bodies.
+/// Limit of the products in exact arithmetic: where doubles leave a doubt, as they do of nearly equal bodies.
 const EXACT_PRODUCT_LIMIT: u64 = 1 << 18;
 
 /// Bodies whose facets take more products than this are looked at along cones of directions first, which tells of
 /// bodies that do not touch.
-const FEW_PRODUCTS: u64 = 1 << 21;
+const DIRECT_PRODUCT_LIMIT: u64 = 1 << 21;
 
-/// So many products are taken along cones.
+/// Limit of the products along cones.
 const CONE_PRODUCT_LIMIT: u64 = 1 << 23;
 
 /// Whether the outer zonotope contains the inner one, decided exactly; none where that takes more than 2^27 products of
@@ -53,7 +51,7 @@ pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Opt
     let moved = array::from_fn(|k| place(k).map_or_else(Dyadic::zero, |axis| displacement[axis].clone()));
     let products = Facets::<D>::count(others.len(), span.rank(), PRODUCT_LIMIT)
         .map(|normals| normals.saturating_mul((own.len() + others.len()) as u64 + NORMAL_PRODUCTS));
-    if span.rank() == D && products.is_none_or(|products| products > FEW_PRODUCTS) {
+    if span.rank() == D && products.is_none_or(|products| products > DIRECT_PRODUCT_LIMIT) {
         let told = lies_inside(&ExactDifference::new(inner, outer), CONE_PRODUCT_LIMIT);
         if told.is_some() {
             return told;

@@ -52,7 +52,7 @@ pub enum Separation<const D: usize> {
     Exact(Box<[Rational; D]>),
 }
 
-/// How many times a zonotope Z centred at the origin must be taken to hold a displacement p: min { t ≥ 0 : p ∈ t Z }.
+/// The gauge of a displacement p by a zonotope Z centred at the origin: min { t ≥ 0 : p ∈ t Z }, with the place of p.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gauge<const D: usize> {
     /// The gauge, within [`error`](Self::error); infinite where no multiple of Z holds p (a flat Z), then without
@@ -60,7 +60,7 @@ pub struct Gauge<const D: usize> {
     pub value: f64,
     /// A bound for |`value` − gauge|.
     pub error: f64,
-    /// Where p lies relative to Z, decided exactly: the gauge is at most 1 just when p is a member. With its proof.
+    /// The place of p relative to Z, decided exactly: the gauge is at most 1 just when p is a member. With its proof.
     pub location: Location<D>,
 }
 

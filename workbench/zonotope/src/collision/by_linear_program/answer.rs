@@ -3,10 +3,10 @@
 use crate::linear_program::Guess;
 use crate::zonotope::location::{Location, Witness};
 
-/// What an engine's optimum proves.
+/// The statement that an engine's optimum proves.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Answer<const D: usize> {
-    /// Where the displacement lies.
+    /// The place of the displacement.
     Located(Location<D>),
     /// The displacement lies in the zonotope; inside or on the boundary was not decided.
     Member(Witness),

@@ -1,4 +1,4 @@
-//! What numbers must be able to do for products and determinants. Numbers with bounds and pairs of doubles are rings
+//! The operations of numbers that products and determinants need. Numbers with bounds and pairs of doubles are rings
 //! where they are defined, as they rest on products themselves.
 
 use dashu_int::IBig;

@@ -153,7 +153,7 @@ struct Numbers<const D: usize> {
     /// A bound on the errors of a distance from a point of given coefficients in doubles, and in pairs of them.
     error: f64,
     error_of_pairs: f64,
-    /// What an operation in rationals counts for.
+    /// The count of one operation in rationals.
     weight: u64,
 }
 

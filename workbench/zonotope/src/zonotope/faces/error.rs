@@ -9,13 +9,13 @@ pub const MAX_DIRECTIONS: usize = 46_000;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum FacesError {
-    /// So many faces that their indices would not fit 32 bits.
+    /// The faces are so many that their indices would not fit 32 bits.
     #[error(
         "{directions} directions of generators are more than {}, the most whose faces have 32-bit indices",
         MAX_DIRECTIONS
     )]
     TooManyDirections {
-        /// How many directions there are.
+        /// The number of directions.
         directions: usize,
     },
 }

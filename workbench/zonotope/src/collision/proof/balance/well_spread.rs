@@ -2,7 +2,7 @@
 
 use crate::numeric::linear::{cross, dot};
 
-/// How many generators the basis is chosen from.
+/// The number of generators from which the basis is chosen.
 const BASIS_SAMPLE: usize = 16;
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.

@@ -25,7 +25,7 @@ pub(crate) struct Generation<'a, const D: usize> {
     added: BTreeSet<([usize; D], bool, usize)>,
     /// A point outside by less than this, relative to the total length of the generators, counts as inside.
     precision: f64,
-    /// What the looks at points have taken, in products.
+    /// The products that looks at points have taken.
     looks: u64,
     /// The generation gives up after so much work.
     work_limit: u64,

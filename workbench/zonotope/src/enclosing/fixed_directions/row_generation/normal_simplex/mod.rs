@@ -69,7 +69,7 @@ pub(crate) struct NormalProgram<const D: usize> {
     pivots: u64,
     /// The entries of columns, of the inverse and of the block that is inverted that have been read so far.
     entries_read: u64,
-    /// How many of them have been told.
+    /// The number of these entries that the tally has been given.
     entries_told: u64,
     /// The method gives up after so many.
     entries_limit: u64,
