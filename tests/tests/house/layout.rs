@@ -5,22 +5,24 @@ use std::collections::{BTreeMap, BTreeSet};
 use tests::sources::{LIBRARY, Source, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
-const LEVELS: [&[&str]; 6] = [
+const LEVELS: [&[&str]; 7] = [
     &["verifier"],
     &["zonotope"],
+    &["rivals"],
     &["experiments", "batch"],
     &["figures", "paper_checks", "peers"],
     &["zonobench"],
     &["tests"],
 ];
 
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 10] = [
     "workbench/zonotope",
     "workbench/verifier",
     "workbench/batch",
     "workbench/zonobench",
     "experiments",
     "experiments/peers",
+    "experiments/rivals",
     "figures",
     "paper_checks",
     "tests",

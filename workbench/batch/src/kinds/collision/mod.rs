@@ -26,10 +26,7 @@ enum Task {
 impl Task {
     /// The methods that do it, better ones first.
     fn methods(self) -> impl Iterator<Item = Method> {
-        let does = move |method: &Method| match self {
-            Self::Locate => method.is_exact(),
-            Self::Gauge => method.measures(),
-        };
+        let does = move |method: &Method| self == Self::Locate || method.measures();
         Method::ALL.iter().copied().filter(does)
     }
 
