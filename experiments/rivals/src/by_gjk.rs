@@ -31,8 +31,8 @@
 //! None: failures are answers. More than seven dimensions do not compile.
 //!
 //! # Checked by
-//! [`brute_force`](zonotope::collision::brute_force) on questions that are far from touching; its failures elsewhere are counted, not
-//! hidden.
+//! [`brute_force`](zonotope::collision::brute_force) on questions that are far from touching; its failures elsewhere
+//! are counted, not hidden.
 //!
 //! # Example
 //! ```
@@ -52,7 +52,7 @@ use zonotope::zonotope::passes::extreme_sum;
 /// The most steps before giving up.
 pub const STEPS: u32 = 128;
 
-/// What the method believes.
+/// A belief about a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GjkAnswer<const D: usize> {
     /// The zonotope holds the displacement.
@@ -66,7 +66,7 @@ pub enum GjkAnswer<const D: usize> {
     GaveUp,
 }
 
-/// What the method believes about a displacement; a step is counted for each evaluation of the support function.
+/// The belief about a displacement; a step is counted for each evaluation of the support function.
 pub fn locate<const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) -> GjkAnswer<D> {
     let [first, second] = question.runs();
     let point: [f64; D] = std::array::from_fn(|i| question.to()[i] - question.from()[i]);

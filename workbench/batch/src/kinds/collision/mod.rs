@@ -6,6 +6,7 @@ pub(super) mod intersect;
 pub(super) mod member;
 pub(super) mod member_batch;
 mod posed;
+mod proof;
 
 use serde_json::{Value, json};
 use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, by_lad};

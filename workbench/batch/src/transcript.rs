@@ -1,21 +1,12 @@
 //! The check of an answer against its question: the numbers of both are read here, the crate `verifier` judges them.
 
-mod collision;
-mod enclosing;
-mod placed;
-mod reading;
-mod reduction;
-mod solids;
-mod traced;
-
 use std::panic::{self, AssertUnwindSafe};
 
+use crate::claimed::{Reads, Traced, member};
 use crate::json::{self, MAX_VALUES, Tree};
 use crate::kinds::{KINDS, Kind};
 use crate::place::Place;
 use crate::refusal::Code;
-use reading::member;
-use traced::{Reads, Traced};
 
 pub use verifier::Verdict;
 
@@ -115,24 +106,9 @@ fn is_known_in_question(place: &Place, question: Traced<'_>) -> bool {
 fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> {
     let input = member(question, "input")?;
     let result = member(answer, "result")?;
-    match question.field("kind").and_then(Traced::text).unwrap_or_default() {
-        "min_area" => enclosing::min_area(input, result),
-        "min_length_dirs" => enclosing::min_length_dirs(input, result),
-        "min_length_all" => enclosing::min_length_all(input, result),
-        "support" => solids::support(input, result),
-        "combinatorics" => solids::combinatorics(input, result),
-        "slope_selection" => solids::slope_selection(input, result),
-        "separator" => solids::separator(input, result),
-        "upper_hull" => solids::upper_hull(input, result),
-        "walk" => solids::walk(input, result),
-        "member_batch" => collision::member_batch(input, answer),
-        "distance" => collision::distance(input, result),
-        "approx" => reduction::approx(input, result),
-        "reduce" => reduction::reduce(input, result),
-        "hausdorff" => reduction::hausdorff(input, result),
-        "member" => collision::member_of(input, result),
-        "intersect" => collision::intersect(input, result),
-        "gauge" => collision::gauge(input, result),
-        other => Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
+    let name = question.field("kind").and_then(Traced::text).unwrap_or_default();
+    match KINDS.iter().find(|kind| kind.name == name) {
+        Some(kind) => (kind.check)(input, result, answer.field("method").and_then(Traced::text)),
+        None => Ok(Verdict::Unchecked(format!("the kind `{name}` is not checked"))),
     }
 }

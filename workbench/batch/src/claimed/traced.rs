@@ -10,45 +10,45 @@ use crate::place::{Place, Step};
 
 /// The values of fields that were read, each by its address.
 #[derive(Debug, Default)]
-pub(super) struct Reads(RefCell<BTreeSet<*const Tree>>);
+pub(crate) struct Reads(RefCell<BTreeSet<*const Tree>>);
 
 /// A value whose fields are noted as they are read.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Traced<'a> {
-    pub(super) tree: &'a Tree,
+pub(crate) struct Traced<'a> {
+    pub(crate) tree: &'a Tree,
     reads: &'a Reads,
 }
 
 impl<'a> Traced<'a> {
-    pub(super) fn new(tree: &'a Tree, reads: &'a Reads) -> Self {
+    pub(crate) fn new(tree: &'a Tree, reads: &'a Reads) -> Self {
         Self { tree, reads }
     }
 
     /// The field of an object, which is noted.
-    pub(super) fn field(self, name: &str) -> Option<Self> {
+    pub(crate) fn field(self, name: &str) -> Option<Self> {
         let value = self.tree.field(name)?;
         self.reads.0.borrow_mut().insert(ptr::from_ref(value));
         Some(Self::new(value, self.reads))
     }
 
     /// The elements of a list.
-    pub(super) fn elements(self) -> Option<impl Iterator<Item = Self>> {
+    pub(crate) fn elements(self) -> Option<impl Iterator<Item = Self>> {
         Some(self.tree.list()?.iter().map(move |element| Self::new(element, self.reads)))
     }
 
     /// All fields of an object whose names are part of what it says; they are noted.
-    pub(super) fn fields(self) -> Option<impl Iterator<Item = (&'a str, Self)>> {
+    pub(crate) fn fields(self) -> Option<impl Iterator<Item = (&'a str, Self)>> {
         let Tree::Object(fields) = self.tree else { return None };
         let noted = move |(name, _): &'a (String, Tree)| Some((name.as_str(), self.field(name)?));
         Some(fields.iter().filter_map(noted))
     }
 
-    pub(super) fn text(self) -> Option<&'a str> {
+    pub(crate) fn text(self) -> Option<&'a str> {
         self.tree.text()
     }
 
     /// The places of the fields below this object that were not read.
-    pub(super) fn unread(self) -> Vec<Place> {
+    pub(crate) fn unread(self) -> Vec<Place> {
         let mut unread = Vec::new();
         self.search(&Place::default(), &mut unread);
         unread

@@ -5,7 +5,7 @@ use super::traced::Traced;
 use verifier::{Body, Pose};
 
 /// A zonotope of a question with its pose, if it has one.
-pub(super) struct Placed {
+pub(crate) struct Placed {
     center: Vec<f64>,
     generators: Vec<Vec<f64>>,
     pose: Option<Pose>,
@@ -13,12 +13,12 @@ pub(super) struct Placed {
 
 impl Placed {
     /// The zonotope of an object whose centre goes by the name `center`.
-    pub(super) fn read(object: Traced<'_>, center: &str) -> Result<Self, String> {
+    pub(crate) fn read(object: Traced<'_>, center: &str) -> Result<Self, String> {
         Self::around(vector(member(object, center)?, center)?, object)
     }
 
     /// The zonotope around the origin; without generators, of space.
-    pub(super) fn around_origin(object: Traced<'_>) -> Result<Self, String> {
+    pub(crate) fn around_origin(object: Traced<'_>) -> Result<Self, String> {
         let generators = vectors(member(object, "generators")?, "generators")?;
         Self::around(vec![0.0; generators.first().map_or(3, Vec::len)], object)
     }
@@ -30,12 +30,12 @@ impl Placed {
     }
 
     /// The image of the zonotope, which doubles must hold: centre and generators.
-    pub(super) fn image(&self) -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
+    pub(crate) fn image(&self) -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
         self.body().image().ok_or_else(|| "the pose gives the body an image that no doubles hold".to_owned())
     }
 
     /// The zonotope as the verifier takes it.
-    pub(super) fn body(&self) -> Body<'_, Vec<f64>> {
+    pub(crate) fn body(&self) -> Body<'_, Vec<f64>> {
         Body { center: &self.center, generators: &self.generators, pose: self.pose.as_ref() }
     }
 }

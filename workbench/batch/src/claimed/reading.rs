@@ -6,23 +6,23 @@ use verifier::{Fraction, whole_direction};
 use super::traced::Traced;
 use crate::json::Tree;
 
-pub(super) fn member<'a>(object: Traced<'a>, name: &str) -> Result<Traced<'a>, String> {
+pub(crate) fn member<'a>(object: Traced<'a>, name: &str) -> Result<Traced<'a>, String> {
     object.field(name).ok_or_else(|| format!("`{name}` is missing"))
 }
 
 /// A figure of an answer: possibly an infinity, where the exact value is beyond the range of doubles.
-pub(super) fn float(object: Traced<'_>, name: &str) -> Result<f64, String> {
+pub(crate) fn float(object: Traced<'_>, name: &str) -> Result<f64, String> {
     member(object, name)?.tree.float().ok_or_else(|| format!("`{name}` is not a number"))
 }
 
 /// A point of an answer: coordinates that may be infinite, where the exact ones are beyond the range of doubles.
-pub(super) fn point(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
+pub(crate) fn point(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
     let coordinates = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     let coordinates = coordinates.iter().map(|x| x.float().filter(|x| !x.is_nan()));
     coordinates.collect::<Option<_>>().ok_or_else(|| format!("`{name}` holds something else than numbers"))
 }
 
-pub(super) fn vector(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
+pub(crate) fn vector(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
     let components = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     components
         .iter()
@@ -31,12 +31,12 @@ pub(super) fn vector(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> 
         .ok_or_else(|| format!("`{name}` holds something else than finite numbers"))
 }
 
-pub(super) fn vectors(value: Traced<'_>, name: &str) -> Result<Vec<Vec<f64>>, String> {
+pub(crate) fn vectors(value: Traced<'_>, name: &str) -> Result<Vec<Vec<f64>>, String> {
     let rows = value.elements().ok_or_else(|| format!("`{name}` is not a list"))?;
     rows.map(|row| vector(row, name)).collect()
 }
 
-pub(super) fn planar(value: Traced<'_>, name: &str) -> Result<Vec<[f64; 2]>, String> {
+pub(crate) fn planar(value: Traced<'_>, name: &str) -> Result<Vec<[f64; 2]>, String> {
     let rows = vectors(value, name)?;
     rows.into_iter()
         .map(|row| {
@@ -45,11 +45,11 @@ pub(super) fn planar(value: Traced<'_>, name: &str) -> Result<Vec<[f64; 2]>, Str
         .collect()
 }
 
-pub(super) fn index(object: Traced<'_>, name: &str) -> Result<usize, String> {
+pub(crate) fn index(object: Traced<'_>, name: &str) -> Result<usize, String> {
     member(object, name)?.tree.index().ok_or_else(|| format!("`{name}` is not a whole number"))
 }
 
-pub(super) fn indices(object: Traced<'_>, name: &str) -> Result<Vec<usize>, String> {
+pub(crate) fn indices(object: Traced<'_>, name: &str) -> Result<Vec<usize>, String> {
     let list = member(object, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     list.iter()
         .map(Tree::index)
@@ -57,28 +57,28 @@ pub(super) fn indices(object: Traced<'_>, name: &str) -> Result<Vec<usize>, Stri
         .ok_or_else(|| format!("`{name}` holds something else than indices"))
 }
 
-pub(super) fn text<'a>(object: Traced<'a>, name: &str) -> Result<&'a str, String> {
+pub(crate) fn text<'a>(object: Traced<'a>, name: &str) -> Result<&'a str, String> {
     member(object, name)?.text().ok_or_else(|| format!("`{name}` is not a string"))
 }
 
-pub(super) fn boolean(object: Traced<'_>, name: &str) -> Result<bool, String> {
+pub(crate) fn boolean(object: Traced<'_>, name: &str) -> Result<bool, String> {
     match member(object, name)?.tree {
         Tree::Bool(value) => Ok(*value),
         _ => Err(format!("`{name}` is not true or false")),
     }
 }
 
-pub(super) fn fractions(object: Traced<'_>, name: &str) -> Result<Vec<Fraction>, String> {
+pub(crate) fn fractions(object: Traced<'_>, name: &str) -> Result<Vec<Fraction>, String> {
     exact_numbers(member(object, name)?).ok_or_else(|| format!("`{name}` is not a list of exact numbers"))
 }
 
 /// A list of exact numbers.
-pub(super) fn exact_numbers(value: Traced<'_>) -> Option<Vec<Fraction>> {
+pub(crate) fn exact_numbers(value: Traced<'_>) -> Option<Vec<Fraction>> {
     value.elements()?.map(|value| value.text().and_then(Fraction::parse)).collect()
 }
 
 /// A direction as whole numbers: its length says nothing. Components are finite floats, or all of them exact numbers.
-pub(super) fn direction(object: Traced<'_>, name: &str) -> Result<Vec<IBig>, String> {
+pub(crate) fn direction(object: Traced<'_>, name: &str) -> Result<Vec<IBig>, String> {
     let wrong = || format!("`{name}` holds something else than finite or exact numbers");
     let value = member(object, name)?;
     let components = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
