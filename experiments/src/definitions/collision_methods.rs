@@ -1,7 +1,7 @@
 //! The methods of collision by name, and the questions of a case, for every experiment on them.
 
 use crate::definition::{Case, Verdict};
-use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
+use crate::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
 use rivals::by_gjk::{self, GjkAnswer};
 use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program};

@@ -3,8 +3,9 @@
 //! Every location, the truth's included, is proved by the verifier, its status too.
 
 use dashu_ratio::RBig;
+use families::drawn::bodies::families;
 use proptest::prelude::*;
-use tests::body_families::{Asked, asked, families};
+use tests::body_questions::{Asked, asked};
 use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
 use zonotope::collision::{Finding, Gauge, Method, brute_force};

@@ -1,8 +1,9 @@
 //! The methods that are here only to be raced: right where floating point leaves no doubt, and never without an end.
 
+use families::drawn::bodies::families;
 use proptest::prelude::*;
 use rivals::by_gjk::{GjkAnswer, STEPS, locate};
-use tests::body_families::{asked, families};
+use tests::body_questions::asked;
 use tests::runner::for_all;
 use zonotope::collision::{Query, brute_force};
 use zonotope::tally::{Operation, OperationCounts};

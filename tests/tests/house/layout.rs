@@ -6,7 +6,7 @@ use tests::sources::{LIBRARY, Source, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
 const LEVELS: [&[&str]; 7] = [
-    &["verifier"],
+    &["families", "verifier"],
     &["zonotope"],
     &["rivals"],
     &["experiments", "batch"],
@@ -15,12 +15,13 @@ const LEVELS: [&[&str]; 7] = [
     &["tests"],
 ];
 
-const FOLDERS: [&str; 10] = [
+const FOLDERS: [&str; 11] = [
     "workbench/zonotope",
     "workbench/verifier",
     "workbench/batch",
     "workbench/zonobench",
     "experiments",
+    "experiments/families",
     "experiments/peers",
     "experiments/rivals",
     "figures",

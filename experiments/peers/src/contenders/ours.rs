@@ -1,7 +1,7 @@
 //! The pass, and the library's own methods.
 
 use super::{Answer, Contender, Work};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
 use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
 use zonotope::collision::{Finding, Method, Query, by_lad};
