@@ -8,8 +8,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use anyhow::Context;
-use experiments::families::bodies::find;
-use experiments::families::source::RandomSource;
+use families::bodies::find;
+use families::source::RandomSource;
 use parry3d_f64::glamx::{DMat3, DQuat, DVec3};
 use parry3d_f64::math::{Pose as ParryPose, Vector};
 use parry3d_f64::query::details::intersection_test_support_map_support_map_with_params;

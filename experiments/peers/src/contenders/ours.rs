@@ -1,7 +1,8 @@
 //! The pass, and the library's own methods.
 
 use super::{Answer, Contender, Work};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
+use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
 use zonotope::collision::{Finding, Method, Query, by_lad};
 use zonotope::zonotope::{PreparedBody, Zonotope};
@@ -86,6 +87,16 @@ pub const EXPLICIT_FACES: Contender = Contender {
     prepare: |question| location(Method::ByExplicitFaces, question),
 };
 
-/// GJK on the difference of the two bodies, as the library has it: in doubles, giving up openly.
-pub const GJK: Contender =
-    Contender { id: "by_gjk", largest: usize::MAX, prepare: |question| location(Method::ByGjk, question) };
+/// GJK on the difference of the two bodies, in doubles, giving up openly.
+pub const GJK: Contender = Contender {
+    id: "by_gjk",
+    largest: usize::MAX,
+    prepare: |question| {
+        let displacement = question.displacement();
+        Some(Box::new(move || match by_gjk::locate(&displacement, &mut ()) {
+            GjkAnswer::Intersecting => Answer::Member(true),
+            GjkAnswer::Disjoint { .. } => Answer::Member(false),
+            GjkAnswer::GaveUp => Answer::Failed,
+        }))
+    },
+};

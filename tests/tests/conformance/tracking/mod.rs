@@ -4,8 +4,8 @@
 mod motions;
 
 use dashu_ratio::RBig;
-use experiments::families::bodies::BODY_FAMILIES;
-use experiments::families::source::RandomSource;
+use families::bodies::BODY_FAMILIES;
+use families::source::RandomSource;
 use motions::{MOTIONS, Motion};
 use tests::runner::cases;
 use verifier::{Body, Displaced, Fraction, LocationAnswer, LocationCertificate, whole_direction};

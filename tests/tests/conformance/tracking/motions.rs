@@ -1,8 +1,8 @@
 //! Motions of two bodies, frame by frame, that lead through contact: where the bodies are is chosen by where they
 //! touch.
 
-use experiments::families::bodies::question::{Placement, Question};
-use experiments::families::source::RandomSource;
+use experiments::question::{Placement, Question};
+use families::source::RandomSource;
 use zonotope::Pose;
 use zonotope::collision::{PosedQuery, by_lad};
 use zonotope::zonotope::Zonotope;

@@ -14,7 +14,6 @@
 //! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables; the default there |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //! | [`by_explicit_faces`] | 1 to 3 | Ω(n²) | every facet of the explicit body |
-//! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
 //! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The
@@ -36,7 +35,6 @@
 
 pub mod brute_force;
 pub mod by_explicit_faces;
-pub mod by_gjk;
 pub mod by_lad;
 pub mod by_lad_in_r4;
 #[cfg(feature = "linear-programming")]

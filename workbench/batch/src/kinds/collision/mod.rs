@@ -6,6 +6,7 @@ pub(super) mod intersect;
 pub(super) mod member;
 pub(super) mod member_batch;
 mod posed;
+mod proof;
 
 use serde_json::{Value, json};
 use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, by_lad};
@@ -26,10 +27,7 @@ enum Task {
 impl Task {
     /// The methods that do it, better ones first.
     fn methods(self) -> impl Iterator<Item = Method> {
-        let does = move |method: &Method| match self {
-            Self::Locate => method.is_exact(),
-            Self::Gauge => method.measures(),
-        };
+        let does = move |method: &Method| self == Self::Locate || method.measures();
         Method::ALL.iter().copied().filter(does)
     }
 

@@ -22,9 +22,11 @@ pub mod brute_force;
 pub mod by_support_simplex;
 mod contact;
 mod method;
+mod nearest_simplex;
 pub mod penetration;
 
 pub use answer::{Feature, FeatureKind, Gap, Proximity};
 pub use contact::{Contact, Touching, contact, contact_posed};
 pub use method::Method;
+pub use nearest_simplex::NearestSimplex;
 pub use penetration::Penetration;
