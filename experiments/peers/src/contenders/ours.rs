@@ -50,7 +50,7 @@ pub const GAUGE: Contender = Contender {
 /// The question to two bodies that were prepared beforehand.
 fn between(bodies: &[PreparedBody; 2]) -> Query<'_, 3> {
     let [a, b] = bodies;
-    Query::between_bodies(a, b)
+    Query::of_placed(a.placed(), b.placed())
 }
 
 /// Location with its proof, by the kernel on two bodies that were prepared beforehand.

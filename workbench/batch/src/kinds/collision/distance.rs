@@ -1,9 +1,9 @@
 //! `distance`: how far apart two zonotopes are, or how deep they overlap.
 
 use serde_json::{Value, json};
-use zonotope::collision::distance::by_support_simplex::{proximity, proximity_posed};
-use zonotope::collision::distance::penetration::{self, by_inner_polytope::penetration_posed};
-use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact, contact_posed};
+use zonotope::collision::distance::by_support_simplex::proximity;
+use zonotope::collision::distance::penetration::{self, by_inner_polytope};
+use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact};
 use zonotope::collision::{Location, Query, Status, Witness, by_lad};
 
 use super::posed::{Hidden, Posed, Prism};
@@ -64,12 +64,12 @@ fn under_poses<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusa
     let [a, b] = [Posed::<D>::read(&bodies[0], "center")?, Posed::read(&bodies[1], "center")?];
     let prism = Prism::over(&a, &b);
     let (query, hidden) = (prism.query(), prism.hidden());
-    let location = hidden.location(&by_lad::locate_posed(&query).with_nearest_basis(&query));
+    let location = hidden.location(&by_lad::locate(&query).with_nearest_basis(&query));
     refuse_overlap(&location, a.body.generators().len() + b.body.generators().len())?;
-    let found = proximity_posed(&query);
-    Ok(match (&found, contact_posed(&query, &found)) {
+    let found = proximity(&query);
+    Ok(match (&found, contact(&query, &found)) {
         (Proximity::Disjoint(gap), _) => of_gap(gap, hidden, &location),
-        (_, contact) => of_contact(contact, &penetration_posed(&query), hidden, &location),
+        (_, contact) => of_contact(contact, &by_inner_polytope::penetration(&query), hidden, &location),
     })
 }
 

@@ -108,7 +108,7 @@ fn under_pose<const D: usize>(fields: &Fields<'_>) -> Result<Answers, Refusal> {
     let prism = Prism::over(&body, &Posed::of_point([0.0; D]));
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
-        let gauge = by_lad::nearest_gauge_posed_counted(&prism.query_of(point), &mut counts);
+        let gauge = by_lad::nearest_gauge_counted(&prism.query_of(point), &mut counts);
         (gauge.location.status(), gauge.value)
     });
     Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })

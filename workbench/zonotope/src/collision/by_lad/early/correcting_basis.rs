@@ -2,8 +2,8 @@
 
 use crate::collision::Query;
 use crate::collision::by_lad::early::huber_dual::WELL_WITHIN;
-use crate::collision::by_lad::early::passes::EarlyQuery;
 use crate::collision::proof::balance::well_spread::well_spread;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
@@ -14,12 +14,12 @@ use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT
 /// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c).
 #[inline]
 pub(crate) fn correcting_basis(
-    query: &impl EarlyQuery,
+    query: &impl KernelQuery,
     coefficients: &[f64],
     rest: f64,
     magnitude: f64,
 ) -> Option<Vec<usize>> {
-    let n = query.count();
+    let n = query.len();
     if n < 3 || !CUBABLE_SIZES.contains(&magnitude) {
         return None;
     }
@@ -56,13 +56,13 @@ pub(crate) fn correcting_pair(
 
 /// Whether the coefficients of three generators stay within (−1, 1) when they balance a rest.
 #[inline(always)]
-fn corrects<Q: EarlyQuery>(query: &Q, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
+fn corrects<Q: KernelQuery>(query: &Q, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
     let [(a, first), (b, second), (c, third)] =
         [query.vector(basis[0]), query.vector(basis[1]), query.vector(basis[2])];
     let normal = cross(&b, &c);
     let lengths = [first, second, third];
     let volume = lengths[0] * lengths[1] * lengths[2];
-    let determinant = dot(&a, &normal).abs() - Q::DETERMINANT_ERROR * volume - PRODUCT_UNDERFLOW;
+    let determinant = dot(&a, &normal).abs() - Q::determinant_error() * volume - PRODUCT_UNDERFLOW;
     // false for NaN as well
     let is_spanning = determinant > CUBABLE_SIZES.start * CUBABLE_SIZES.start * CUBABLE_SIZES.start;
     if !is_spanning {
@@ -75,7 +75,7 @@ fn corrects<Q: EarlyQuery>(query: &Q, basis: [usize; 3], coefficients: &[f64], r
     }
     let normals = [normal, cross(&c, &a), cross(&a, &b)];
     (0..3).all(|k| {
-        let across = sum_norm(&normals[k]) + Q::DETERMINANT_ERROR * volume / lengths[k] + PRODUCT_UNDERFLOW;
+        let across = sum_norm(&normals[k]) + Q::determinant_error() * volume / lengths[k] + PRODUCT_UNDERFLOW;
         coefficients[basis[k]].abs() + rest * across / determinant * LONG_SUM < 1.0
     })
 }

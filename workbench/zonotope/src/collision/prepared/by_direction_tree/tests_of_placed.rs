@@ -3,9 +3,14 @@ use crate::Zonotope;
 use crate::collision::by_lad::tests::posed::check_proof;
 use crate::collision::prepared::by_direction_tree::tests::{KINDS, body};
 use crate::collision::{Location, Status, by_lad};
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::generators::Generators;
+use crate::lad::of_generators::seam::sign_pass::Places;
+use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{dot, exact};
 use crate::tally::{Operation, OperationCounts};
+use crate::zonotope::pose::Pose;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -25,7 +30,7 @@ fn pose(kind: usize, translation: [f64; 3], random: &mut Pcg64Mcg) -> Pose {
 }
 
 /// Everything that posed trees say, against a location that is right.
-fn check(located: &PosedLocated<'_>, query: &PosedQuery<'_>, truth: &Location<3>) {
+fn check(located: &Located<'_, Pose>, query: &Query<'_, 3, Pose>, truth: &Location<3>) {
     assert_eq!(located.status(), truth.status(), "{} generators", query.len());
     assert_eq!(located.is_member(), truth.is_member());
     let written = located.expand();
@@ -69,12 +74,12 @@ fn posed_bodies_are_located_as_without_trees() {
             for round in 0..6 {
                 let translation = vector([1.0, 1e-3, 100.0][round % 3] * (n as f64).sqrt(), random);
                 let poses = [pose(round, [0.0; 3], random), pose(round / 2, translation, random)];
-                let query = PosedQuery::between((&bodies[0], &poses[0]), (&bodies[1], &poses[1]));
-                let truth = by_lad::locate_posed(&query);
+                let query = Query::of_placed(bodies[0].at(&poses[0]), bodies[1].at(&poses[1]));
+                let truth = by_lad::locate(&query);
                 let [first, second] = [0, 1].map(|i| trees[i].at(&poses[i]));
                 check(&first.intersection(&second), &query, &truth);
                 let measured = first.gauge_between(&second);
-                let gauge = by_lad::gauge_posed(&query);
+                let gauge = by_lad::gauge(&query);
                 let is_same = measured.value == gauge.value
                     || (measured.value - gauge.value).abs() <= measured.error + gauge.error;
                 assert!(is_same, "{} ± {}, not {} ± {}", measured.value, measured.error, gauge.value, gauge.error);
@@ -99,9 +104,9 @@ fn points_near_the_boundary_of_a_turned_body() {
             let far = posed.gauge([0, 1, 2].map(|k| middle[k] + away[k])).expect("finite").value;
             for gap in [0.3, 1e-3, 1e-9, 1e-15, 0.0, -1e-15, -1e-9, -1e-3] {
                 let point = [0, 1, 2].map(|k| middle[k] + away[k] * ((1.0 + gap) / far).min(1e300));
-                let query = PosedQuery::of_point(point, &zonotope, &pose).expect("finite");
+                let query = Query::of_point_in(point, zonotope.at(&pose)).expect("finite");
                 let located = posed.locate(point).expect("finite");
-                check(&located, &query, &by_lad::locate_posed(&query));
+                check(&located, &query, &by_lad::locate(&query));
             }
         }
     }
@@ -115,7 +120,7 @@ fn supports_and_sums_over_cells_are_within_their_bounds() {
         let trees = bodies.each_ref().map(DirectionTree::new);
         for round in 0..8 {
             let poses = [pose(round, [0.0; 3], random), pose(3 - round % 4, [1.0, 0.0, 0.0], random)];
-            let posed = PosedTrees::between(&trees[0].at(&poses[0]), &trees[1].at(&poses[1]));
+            let posed = trees[0].at(&poses[0]).query_between(&trees[1].at(&poses[1]));
             let u = vector(1.0, random);
             let exact_u = exact(u);
             let images: Vec<_> = (0..posed.len()).map(|i| posed.exact_generator(i)).collect();
