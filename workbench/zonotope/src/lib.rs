@@ -132,6 +132,7 @@ pub mod lad;
 pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
+pub mod motion;
 pub mod numeric;
 #[cfg(test)]
 mod property_cases;

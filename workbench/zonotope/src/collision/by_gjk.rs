@@ -45,7 +45,7 @@
 //! assert_eq!(by_gjk::locate(&question), GjkAnswer::Intersecting);
 //! ```
 
-pub(in crate::collision) mod nearest;
+pub(crate) mod nearest;
 
 use nearest::Simplex;
 

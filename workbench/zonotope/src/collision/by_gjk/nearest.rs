@@ -7,7 +7,7 @@ const DEPENDENT: f64 = 1e-14;
 
 /// A simplex with its nearest point as a combination of the vertices, each weight positive.
 #[derive(Debug, Clone)]
-pub(in crate::collision) struct Simplex<const D: usize> {
+pub(crate) struct Simplex<const D: usize> {
     vertices: [[f64; D]; 8],
     weights: [f64; 8],
     count: usize,
@@ -15,18 +15,18 @@ pub(in crate::collision) struct Simplex<const D: usize> {
 
 impl<const D: usize> Simplex<D> {
     /// No vertices yet.
-    pub(in crate::collision) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         const { assert!(D <= 7, "a simplex has at most eight vertices") }
         Self { vertices: [[0.0; D]; 8], weights: [0.0; 8], count: 0 }
     }
 
     /// Whether the nearest point is the origin, inside the simplex.
-    pub(in crate::collision) fn is_full(&self) -> bool {
+    pub(crate) fn is_full(&self) -> bool {
         self.count == D + 1
     }
 
     /// The square of the longest vertex.
-    pub(in crate::collision) fn largest_square(&self) -> f64 {
+    pub(crate) fn largest_square(&self) -> f64 {
         self.vertices[..self.count].iter().map(|v| dot(v, v)).fold(0.0, f64::max)
     }
 
@@ -35,7 +35,7 @@ impl<const D: usize> Simplex<D> {
     ///
     /// The nearest point of the affine hull is taken if its weights are positive; else the old point is moved towards
     /// it until a weight vanishes, and that vertex is dropped.
-    pub(in crate::collision) fn add(&mut self, vertex: [f64; D]) -> Option<[f64; D]> {
+    pub(crate) fn add(&mut self, vertex: [f64; D]) -> Option<[f64; D]> {
         self.vertices[self.count] = vertex;
         self.weights[self.count] = if self.count == 0 { 1.0 } else { 0.0 };
         self.count += 1;
