@@ -1,7 +1,7 @@
 //! A stretch of a motion: placements x ↦ P(s) + R(q(s)) (x + w), P and q linear in s on [0, 1].
 
 use super::bernstein;
-use super::quaternion::{Quaternion, conjugate, image, polar_rotation, product, sum, transposed_image};
+use super::quaternion::{Quaternion, composition, conjugate, image, polar_rotation, sum, transposed_image};
 use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::dot;
@@ -42,7 +42,7 @@ impl<T: Scalar> Arc<T> {
     pub(super) fn rotations_seen(&self, other: &Self) -> [[[T; 3]; 3]; 5] {
         let [p, q] = self.turns.each_ref().map(conjugate);
         let [r, s] = &other.turns;
-        let relative = [product(&p, r), sum(&product(&p, s), &product(&q, r)), product(&q, s)];
+        let relative = [composition(&p, r), sum(&composition(&p, s), &composition(&q, r)), composition(&q, s)];
         std::array::from_fn(|k| {
             let pairs = (0..3).filter(|i| (0..3).contains(&(k as isize - *i as isize)));
             let terms = pairs.map(|i| polar_rotation(&relative[i], &relative[k - i]));

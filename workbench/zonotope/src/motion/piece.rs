@@ -1,7 +1,7 @@
 //! A piece of a rational motion: a quaternion linear in time and a base that moves along a segment.
 
 use super::arc::Arc;
-use super::quaternion::{Quaternion, conjugate, image, multiple, polar_rotation, product, sum};
+use super::quaternion::{Quaternion, composition, conjugate, image, multiple, polar_rotation, sum};
 use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
@@ -68,7 +68,7 @@ impl Piece {
         let scaled = |v: &ExactVector| exact_linear::multiple(&turned, v);
         let piece = Path {
             times: times.map(Dyadic::from_f64),
-            turns: [product(&from, turn), product(&to, turn)],
+            turns: [composition(&from, turn), composition(&to, turn)],
             base: scaled(&point),
             travel: scaled(&translation),
             arm,
@@ -77,7 +77,7 @@ impl Piece {
         let square = dot(&to, &to);
         let end = exact_linear::multiple(&(&square * weight), &exact_linear::sum(&point, &translation));
         let left = Standing {
-            turn: product(&to, turn),
+            turn: composition(&to, turn),
             offset: exact_linear::sum(&end, &image(&polar_rotation(&to, &to), &off)),
             weight: &square * weight,
         };

@@ -1,7 +1,7 @@
 //! Quaternions w + x i + y j + z k as [w, x, y, z], and the rotation of one as a quadratic form, over any numbers.
 //!
-//! A quaternion q of any length but 0 turns v to R(q) v = R̃(q, q) v / |q|², where R̃ is bilinear and symmetric: nothing
-//! is divided, so that rational quaternions have rational rotations without a root.
+//! A quaternion q of any length but 0 turns v to R(q) v = R̃(q, q) v / |q|², where R̃ is bilinear and symmetric.
+//! Nothing is divided, so that rational quaternions have rational rotations without a root.
 
 use crate::numeric::linear::{Ring, cross, dot};
 
@@ -20,7 +20,7 @@ pub(super) fn conjugate<T: Ring>([w, x, y, z]: &Quaternion<T>) -> Quaternion<T> 
 }
 
 /// The product p q: the turn of q, then that of p.
-pub(super) fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
+pub(super) fn composition<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let ((w, a), (s, b)) = (parts(p), parts(q));
     let [x, y, z] = cross(&a, &b);
     let part = |k: usize, c: &T| w.times(&b[k]).plus(&s.times(&a[k])).plus(c);
@@ -78,9 +78,9 @@ mod tests {
         // 1 + k has length √2 and turns by 90° about z
         let q = [1.0, 0.0, 0.0, 1.0];
         assert_eq!(image(&polar_rotation(&q, &q), &[3.0, 0.0, 5.0]), [0.0, 6.0, 10.0]);
-        assert_eq!(product(&q, &q), [0.0, 0.0, 0.0, 2.0], "two of them are half a turn");
-        assert_eq!(product(&q, &conjugate(&q)), [2.0, 0.0, 0.0, 0.0]);
-        assert_eq!(product(&identity(), &q), q);
+        assert_eq!(composition(&q, &q), [0.0, 0.0, 0.0, 2.0], "two of them are half a turn");
+        assert_eq!(composition(&q, &conjugate(&q)), [2.0, 0.0, 0.0, 0.0]);
+        assert_eq!(composition(&identity(), &q), q);
     }
 
     proptest! {
@@ -93,7 +93,7 @@ mod tests {
             let number = |c: i8| Dyadic::from_f64(f64::from(c));
             let (q, r, v) = (q.map(number), r.map(number), v.map(number));
             let rotation = |q: &Quaternion<Dyadic>| polar_rotation(q, q);
-            let both = product(&q, &r);
+            let both = composition(&q, &r);
             let image_of_both = image(&rotation(&both), &v);
             prop_assert_eq!(&image_of_both, &image(&rotation(&q), &image(&rotation(&r), &v)));
             let turned_back = transposed_image(&rotation(&both), &image_of_both);

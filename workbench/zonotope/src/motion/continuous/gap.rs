@@ -13,11 +13,11 @@
 //! | fixed in the second body | R_b u | 5 + 1 |
 //! | normal to two edges | R_a e × R_b f | 5 + 5 |
 
-use super::super::arc::{Arc, displacement};
-use super::super::bernstein::{difference, elevated, multiple, product, sum};
-use super::super::quaternion::transposed_image;
-use super::super::scalar::Scalar;
 use super::SeparatingDirection;
+use crate::motion::arc::{Arc, displacement};
+use crate::motion::bernstein::{convolution, difference, elevated, multiple, sum};
+use crate::motion::quaternion::{image, transposed_image};
+use crate::motion::scalar::Scalar;
 use crate::numeric::linear::{cross, dot};
 use crate::zonotope::Zonotope;
 
@@ -64,18 +64,18 @@ impl<T: Scalar> Stretch<'_, T> {
             if i == 0 { sum(&arms, &reaches) } else { difference(&arms, &reaches) }
         });
         let bases = difference(&multiple(&a.weight, &b.base_along(u)), &multiple(&b.weight, &a.base_along(u)));
-        let squares: [T; 5] = product(&a.square(), &b.square());
-        let apart: [T; 5] = product(&a.square(), &multiple(&a.weight, &away));
-        let apart = difference(&apart, &product(&b.square(), &multiple(&b.weight, &toward)));
+        let squares: [T; 5] = convolution(&a.square(), &b.square());
+        let apart: [T; 5] = convolution(&a.square(), &multiple(&a.weight, &away));
+        let apart = difference(&apart, &convolution(&b.square(), &multiple(&b.weight, &toward)));
         let margin = margin_along(&squares, &[u], self.margin, [a, b]);
-        sum(&product(&squares, &bases), &elevated(&difference(&apart, &margin)))
+        sum(&convolution(&squares, &bases), &elevated(&difference(&apart, &margin)))
     }
 
     fn gap_of_edges(&self, e: &[T; 3], f: &[T; 3]) -> GapBound<T> {
         let [a, b] = &self.arcs;
         let [first, second] = self.bodies;
         let seen = a.rotations_seen(b);
-        let of_first = seen.each_ref().map(|m| cross(e, &super::super::quaternion::image(m, f)));
+        let of_first = seen.each_ref().map(|m| cross(e, &image(m, f)));
         let of_second = seen.each_ref().map(|m| cross(&transposed_image(m, e), f));
         let arms = |body: &Zonotope<3>, arc: &Arc<T>, other: &Arc<T>, pulled: &[[T; 3]; 5]| -> [T; 5] {
             let arm = arc.arm_of(&body.center()).map(|c| c.times(&other.weight));
@@ -86,17 +86,16 @@ impl<T: Scalar> Stretch<'_, T> {
         let apart = difference(&arms(second, b, a, &of_second), &arms(first, a, b, &of_first));
         let apart = difference(&apart, &multiple(&weight, &reaches));
         let bases = displacement(a, b);
-        let [es, fs] =
-            [(a, e), (b, f)].map(|(arc, v)| arc.rotations().each_ref().map(|m| super::super::quaternion::image(m, v)));
+        let [es, fs] = [(a, e), (b, f)].map(|(arc, v)| arc.rotations().each_ref().map(|m| image(m, v)));
         // det(R_a e, R_b f, path): over each coordinate of the cross product
         let bases: GapBound<T> = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             let along = |list: &[[T; 3]; 3], axis: usize| list.each_ref().map(|v| v[axis].clone());
             let minor: [T; 5] =
-                difference(&product(&along(&es, i), &along(&fs, j)), &product(&along(&es, j), &along(&fs, i)));
-            sum(&total, &product(&minor, &bases.each_ref().map(|path| path[k].clone())))
+                difference(&convolution(&along(&es, i), &along(&fs, j)), &convolution(&along(&es, j), &along(&fs, i)));
+            sum(&total, &convolution(&minor, &bases.each_ref().map(|path| path[k].clone())))
         });
-        let squares: [T; 5] = product(&a.square(), &b.square());
+        let squares: [T; 5] = convolution(&a.square(), &b.square());
         let margin = margin_along(&squares, &[e, f], self.margin, [a, b]);
         sum(&bases, &elevated(&difference(&apart, &margin)))
     }
@@ -111,20 +110,20 @@ fn gap_in_frame<T: Scalar>(
 ) -> GapBound<T> {
     let seen = a.rotations_seen(b).each_ref().map(|m| transposed_image(m, u));
     let weight = a.weight.times(&b.weight);
-    let squares: [T; 5] = product(&a.square(), &b.square());
+    let squares: [T; 5] = convolution(&a.square(), &b.square());
     let own = weight.times(&reach(first, u)).plus(&b.weight.times(&dot(u, &a.arm_of(&first.center()))));
     let arm = b.arm_of(&second.center()).map(|c| c.times(&a.weight));
     let arms = seen.each_ref().map(|u| dot(u, &arm));
     let apart = difference(&arms, &multiple(&weight, &reaches_of(second, &seen)));
     let apart = difference(&apart, &multiple(&own, &squares));
     let apart = difference(&apart, &margin_along(&squares, &[u], margin, [a, b]));
-    let turned = a.rotations().each_ref().map(|m| super::super::quaternion::image(m, u));
+    let turned = a.rotations().each_ref().map(|m| image(m, u));
     let path = displacement(a, b);
     let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
         let along: [T; 3] = turned.each_ref().map(|v| v[k].clone());
-        sum(&total, &product(&along, &path.each_ref().map(|path| path[k].clone())))
+        sum(&total, &convolution(&along, &path.each_ref().map(|path| path[k].clone())))
     });
-    sum(&product(&b.square(), &bases), &elevated(&apart))
+    sum(&convolution(&b.square(), &bases), &elevated(&apart))
 }
 
 /// |q|² Rᵀ u for the rotations of a stretch, as scaled Bernstein coefficients.
@@ -159,6 +158,6 @@ fn margin_along<T: Scalar>(squares: &[T; 5], factors: &[&[T; 3]], margin: f64, [
     }
     // the sum of the magnitudes of the coordinates is at least the length
     let length = |v: &&[T; 3]| v.iter().fold(T::ZERO, |sum, c| sum.plus(&c.magnitude()));
-    let factor = factors.iter().map(length).fold(T::of(margin), |product, length| product.times(&length));
+    let factor = factors.iter().map(length).fold(T::of(margin), |longest, length| longest.times(&length));
     multiple(&a.weight.times(&b.weight).times(&factor), squares)
 }

@@ -7,6 +7,7 @@
 //! | method | what it does on a stretch of time |
 //! |---|---|
 //! | [`by_control_points`] (default) | looks for a direction along which all Bernstein coefficients of the gap are positive |
+//! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
 //!
 //! The paper (Section 6) encloses the volumes that both bodies sweep, and halves the step where these meet. Volumes of
 //! space forget the time; a direction for a stretch of time is a separating hyperplane of space-time.

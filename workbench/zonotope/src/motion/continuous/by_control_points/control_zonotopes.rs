@@ -4,10 +4,10 @@
 //! The search is that of Gilbert, Johnson and Keerthi in doubles over the hull of the six. It proves nothing: the
 //! direction that it finds is tried.
 
-use super::super::super::arc::{Arc, displacement};
-use super::super::super::bernstein::{elevated, product};
-use super::super::super::quaternion::{image, transposed_image};
 use crate::collision::by_gjk::nearest::Simplex;
+use crate::motion::arc::{Arc, displacement};
+use crate::motion::bernstein::{convolution, elevated};
+use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::linear::dot;
 use crate::zonotope::Zonotope;
 
@@ -34,7 +34,7 @@ pub(super) struct ControlZonotopes<'a> {
 /// The rotations of the bodies as a direction sees them.
 enum Turns {
     /// Both bodies turn.
-    Space([[[[f64; 3]; 3]; 3]; 2]),
+    Space(Box<[[[[f64; 3]; 3]; 3]; 2]>),
     /// The second body turns as the first one sees it.
     First(Box<[[[f64; 3]; 3]; 5]>),
 }
@@ -43,10 +43,10 @@ impl<'a> ControlZonotopes<'a> {
     /// The control zonotopes for directions that are fixed in space.
     pub(super) fn in_space(bodies: [&'a Zonotope<3>; 2], arcs: [&Arc<f64>; 2]) -> Self {
         let squares = arcs.map(Arc::square);
-        let both: [f64; 5] = product(&squares[0], &squares[1]);
+        let both: [f64; 5] = convolution(&squares[0], &squares[1]);
         let path = displacement(arcs[0], arcs[1]);
-        let path = by_coordinates(|k| product(&both, &path.map(|base| base[k])));
-        Self::new(bodies, arcs, path, Turns::Space(arcs.map(Arc::rotations)))
+        let path = by_coordinates(|k| convolution(&both, &path.map(|base| base[k])));
+        Self::new(bodies, arcs, path, Turns::Space(Box::new(arcs.map(Arc::rotations))))
     }
 
     /// The control zonotopes for directions that are fixed in the first body.
@@ -56,10 +56,10 @@ impl<'a> ControlZonotopes<'a> {
         let path = by_coordinates(|k| {
             // the k-th coordinate of R_aᵀ path
             let turned: [f64; 4] = (0..3).fold([0.0; 4], |total, i| {
-                let term: [f64; 4] = product(&rotations.map(|m| m[i][k]), &path.map(|base| base[i]));
+                let term: [f64; 4] = convolution(&rotations.map(|m| m[i][k]), &path.map(|base| base[i]));
                 std::array::from_fn(|j| total[j] + term[j])
             });
-            product(&arcs[1].square(), &turned)
+            convolution(&arcs[1].square(), &turned)
         });
         Self::new(bodies, arcs, path, Turns::First(Box::new(arcs[0].rotations_seen(arcs[1]))))
     }
@@ -110,8 +110,8 @@ impl<'a> ControlZonotopes<'a> {
                     })
                 });
                 by_coordinates(|k| {
-                    let to: [f64; 5] = product(&self.squares[0], &ends[1].map(|v| a * v[k]));
-                    let from: [f64; 5] = product(&self.squares[1], &ends[0].map(|v| b * v[k]));
+                    let to: [f64; 5] = convolution(&self.squares[0], &ends[1].map(|v| a * v[k]));
+                    let from: [f64; 5] = convolution(&self.squares[1], &ends[0].map(|v| b * v[k]));
                     elevated(&std::array::from_fn::<_, 5, _>(|j| to[j] - from[j]))
                 })
             }
@@ -122,7 +122,7 @@ impl<'a> ControlZonotopes<'a> {
                     let farthest = signed_sum(self.bodies[1], &transposed_image(m, u));
                     image(m, &[0, 1, 2].map(|k| a * self.arms[1][k] - a * b * farthest[k]))
                 });
-                let both: [f64; 5] = product(&self.squares[0], &self.squares[1]);
+                let both: [f64; 5] = convolution(&self.squares[0], &self.squares[1]);
                 by_coordinates(|k| elevated(&std::array::from_fn::<_, 5, _>(|j| others[j][k] - both[j] * own[k])))
             }
         };

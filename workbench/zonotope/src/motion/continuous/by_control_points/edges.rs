@@ -10,8 +10,8 @@ use crate::zonotope::Zonotope;
 const EDGE_LIMIT: usize = 2;
 
 /// The normals of pairs of edges that are nearly orthogonal to a direction at the begin of a stretch, on its side.
-pub(super) fn normals<'a>(
-    bodies: [&'a Zonotope<3>; 2],
+pub(super) fn normals(
+    bodies: [&Zonotope<3>; 2],
     arcs: [&Arc<f64>; 2],
     u: &[f64; 3],
 ) -> impl Iterator<Item = SeparatingDirection> {

@@ -32,8 +32,28 @@
 //! # Numerics
 //! Directions are guesses; a free stretch and a contact are decided exactly. The distance of a grazing is rounded up.
 //!
+//! # Errors
+//! None: motions are finite and their times go from 0 to 1.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
-//! Dense sampling with exact queries, and the gap at rational times in exact numbers.
+//! [`brute_force`](super::brute_force): the gap at rational times in exact numbers; dense sampling with exact queries.
+//!
+//! # Example
+//! ```
+//! use zonotope::Zonotope;
+//! use zonotope::motion::{Motion, continuous::{FirstContact, first_contact}};
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! match first_contact([&cube, &other], [&right, &Motion::rest()]) {
+//!     FirstContact::Contact { time: [before, met], .. } => assert!(before < 0.5 && 0.5 <= met),
+//!     answer => panic!("{answer:?}"),
+//! }
+//! ```
 
 mod control_zonotopes;
 mod edges;
@@ -100,11 +120,12 @@ impl Search<'_> {
                 return FirstContact::Separate { free: self.free };
             };
             let is_whole = self.motions.iter().all(|motion| motion.is_one_stretch([from, until]));
-            if is_whole && meets.is_none() {
-                if let Some(direction) = self.separates([from, until], hint) {
-                    self.free.push(FreeStretch { from, until, direction });
-                    continue;
-                }
+            if is_whole
+                && meets.is_none()
+                && let Some(direction) = self.separates([from, until], hint)
+            {
+                self.free.push(FreeStretch { from, until, direction });
+                continue;
             }
             let width = until - from;
             match meets {
