@@ -75,6 +75,7 @@
 //! | [`collision::hierarchy`] | whether bodies meet, by levels from coarse to fine | 5.2, hierarchical method |
 //! | [`collision::prepared`] | repeated queries about one body, by the structure that suits | 5.2, Lemma 5.3 |
 //! | [`collision::distance`] | Euclidean distance with nearest points and faces, and penetration depth | from 5.1, Lemma 5.1 |
+//! | [`motion::continuous`] | whether two moving bodies meet during a step of time, and when first | 6 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
 //! | [`lad::of_forms`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
@@ -114,7 +115,7 @@
 //! # Layers
 //!
 //! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
-//! then [`enclosing`] and [`collision`], then [`line_fit`]; [`reduction`] stands on
+//! then [`enclosing`] and [`collision`], then [`line_fit`] and [`motion`]; [`reduction`] stands on
 //! [`zonotope`].
 
 // The tables of methods name those that the feature brings.
@@ -132,6 +133,7 @@ pub mod lad;
 pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
+pub mod motion;
 pub mod numeric;
 #[cfg(test)]
 mod property_cases;
@@ -142,6 +144,7 @@ pub mod zonotope;
 
 pub use collision::{Gauge, Location, Separation, Status, Witness};
 pub use enclosing::Enclosing;
+pub use motion::Motion;
 pub use numeric::non_finite::{NonFinite, Place};
 pub use seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};

@@ -256,3 +256,24 @@ pub(crate) const NODE_BODY_DOUBT: f64 = power_of_two(-31);
 /// places are off by u z; two of them enter the sum of the coefficients, one the coordinate along a side of at most 2:
 /// 4 u z. Together that is 10 u z.
 pub(crate) const CORNER_COEFFICIENTS: f64 = 16.0 * UNIT;
+
+/// An angle by which the quaternion (cos φ, sin φ / |a| · a) in doubles is off one of the angle 2 φ, whatever the
+/// rounding of φ.
+///
+/// Sine and cosine of `libm` are within one unit in the last place, 2^-52; the length of the axis and the quotient by
+/// it add four roundings of at most 2^-53 each. Half the angle is off by at most the sum, 2^-50.
+pub(crate) const ANGLE_ROUNDING: f64 = power_of_two(-48);
+
+/// What rounding half an angle for sine and cosine adds to it, beside the angle: one rounding of a product.
+pub(crate) const ANGLE_ROUNDING_OF_A_TURN: f64 = power_of_two(-52);
+
+/// How far the angle of a quaternion that goes linearly between two others is off constant rate, beside tan³ of a
+/// quarter of the angle between them: 2 max |x − x³| / 3 = 4 / (9 √3) = 0.2566, rounded up.
+pub(crate) const CHORD_OF_A_LINEAR_QUATERNION: f64 = 0.25661;
+
+/// How far a point of a body under a pose in doubles is off the placement of a motion that the pose is rounded from,
+/// beside the sum of the magnitudes of what its coordinates are sums of.
+///
+/// The entries of the matrix are quotients of quaternions with relative errors of some 16 units, by their square; the
+/// translation goes through as many roundings.
+pub(crate) const POSE_ROUNDING: f64 = 256.0 * UNIT;

@@ -1,0 +1,103 @@
+//! A stretch of a motion: placements x ↦ P(s) + R(q(s)) (x + w), P and q linear in s on [0, 1].
+
+use super::bernstein;
+use super::quaternion::{Quaternion, composition, conjugate, image, polar_rotation, sum, transposed_image};
+use super::scalar::Scalar;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::linear::dot;
+
+/// A stretch of a motion over the numbers T. P and w are given times a positive number, the weight.
+#[derive(Debug, Clone)]
+pub(super) struct Arc<T> {
+    /// q at both ends, of any length.
+    pub(super) turns: [Quaternion<T>; 2],
+    /// The weight times P at both ends.
+    pub(super) base: [[T; 3]; 2],
+    /// The weight times w.
+    pub(super) arm: [T; 3],
+    /// The weight.
+    pub(super) weight: T,
+    /// Whether both quaternions are the same: the stretch translates alone.
+    pub(super) is_translation: bool,
+}
+
+impl<T: Scalar> Arc<T> {
+    /// |q(s)|² by its scaled Bernstein coefficients.
+    pub(super) fn square(&self) -> [T; 3] {
+        let [p, q] = &self.turns;
+        let mixed = dot(p, q);
+        [dot(p, p), mixed.plus(&mixed), dot(q, q)]
+    }
+
+    /// The matrices of |q(s)|² R(q(s)) as scaled Bernstein coefficients.
+    pub(super) fn rotations(&self) -> [[[T; 3]; 3]; 3] {
+        let [p, q] = &self.turns;
+        let mixed = polar_rotation(p, q);
+        let mixed = mixed.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)));
+        [polar_rotation(p, p), mixed, polar_rotation(q, q)]
+    }
+
+    /// The matrices of |q|² |r|² R(q)⁻¹ R(r), the turn of another body as this one sees it, as scaled Bernstein
+    /// coefficients.
+    pub(super) fn rotations_seen(&self, other: &Self) -> [[[T; 3]; 3]; 5] {
+        let [p, q] = self.turns.each_ref().map(conjugate);
+        let [r, s] = &other.turns;
+        let relative = [composition(&p, r), sum(&composition(&p, s), &composition(&q, r)), composition(&q, s)];
+        std::array::from_fn(|k| {
+            let pairs = (0..3).filter(|i| (0..3).contains(&(k as isize - *i as isize)));
+            let terms = pairs.map(|i| polar_rotation(&relative[i], &relative[k - i]));
+            let added = |a: [[T; 3]; 3], b: [[T; 3]; 3]| {
+                std::array::from_fn(|i| std::array::from_fn(|j| a[i][j].plus(&b[i][j])))
+            };
+            terms.reduce(added).unwrap_or_else(|| unreachable!("each degree up to 4 is a sum of two up to 2"))
+        })
+    }
+
+    /// The weight times the centre c + w of a body's arm.
+    pub(super) fn arm_of(&self, center: &[f64; 3]) -> [T; 3] {
+        [0, 1, 2].map(|k| self.weight.times(&T::of(center[k])).plus(&self.arm[k]))
+    }
+
+    /// u · P(s) times the weight for a fixed direction.
+    pub(super) fn base_along(&self, u: &[T; 3]) -> [T; 2] {
+        self.base.each_ref().map(|base| dot(u, base))
+    }
+}
+
+impl Arc<Bounded> {
+    /// The stretch in doubles, without its bounds.
+    pub(super) fn rounded(&self) -> Arc<f64> {
+        let vector = |v: &[Bounded; 3]| v.map(|c| c.value);
+        Arc {
+            turns: self.turns.map(|q| q.map(|c| c.value)),
+            base: self.base.each_ref().map(vector),
+            arm: vector(&self.arm),
+            weight: self.weight.value,
+            is_translation: self.is_translation,
+        }
+    }
+}
+
+impl Arc<f64> {
+    /// A direction of space as the body sees it at the middle of the stretch, of any length.
+    pub(super) fn turned_back(&self, u: &[f64; 3]) -> [f64; 3] {
+        let middle = sum(&self.turns[0], &self.turns[1]);
+        transposed_image(&polar_rotation(&middle, &middle), u)
+    }
+
+    /// Where a point of the body is at the middle of the stretch.
+    pub(super) fn middle_of(&self, x: &[f64; 3]) -> [f64; 3] {
+        let middle = sum(&self.turns[0], &self.turns[1]);
+        let (turned, square) = (image(&polar_rotation(&middle, &middle), &self.arm_of(x)), dot(&middle, &middle));
+        let [from, to] = self.base;
+        [0, 1, 2].map(|k| (turned[k] / square + (from[k] + to[k]) / 2.0) / self.weight)
+    }
+}
+
+/// The path from one body's base to another's, times the weights of both.
+pub(super) fn displacement<T: Scalar>(a: &Arc<T>, b: &Arc<T>) -> [[T; 3]; 2] {
+    [0, 1].map(|end| {
+        let [from, to] = [bernstein::multiple(&b.weight, &a.base[end]), bernstein::multiple(&a.weight, &b.base[end])];
+        bernstein::difference(&to, &from)
+    })
+}

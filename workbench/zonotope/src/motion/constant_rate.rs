@@ -1,0 +1,125 @@
+//! A rotation at constant rate, which rational placements are near: on a stretch the quaternion goes linearly between
+//! two rational ones, and a bound says how far the angle is off.
+//!
+//! Let θ be the angle of a stretch and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
+//! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, so that the difference
+//! is at most its first term, t³/3 · |x − x³| ≤ 2 t³ / (9 √3).
+
+use super::arc::Arc;
+use super::scalar::Scalar;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, exact};
+use crate::numeric::linear::{cross, euclidean_norm};
+use crate::numeric::tolerance::{ANGLE_ROUNDING, ANGLE_ROUNDING_OF_A_TURN, CHORD_OF_A_LINEAR_QUATERNION, UNIT};
+use crate::zonotope::Zonotope;
+
+/// The largest angle of a stretch: a quarter turn. tan(θ/4) is 0.415 there.
+pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
+
+/// The motion x ↦ p + R(t · angle) (x − p) + t · translation for t in [0, 1], R about an axis of any length.
+#[derive(Debug, Clone)]
+pub(super) struct ConstantRate {
+    axis_point: [f64; 3],
+    /// The axis over a power of two, exactly.
+    axis: ExactVector,
+    /// The same in doubles.
+    bounded_axis: [Bounded; 3],
+    /// The length of that axis.
+    length: f64,
+    angle: f64,
+    translation: [f64; 3],
+}
+
+impl ConstantRate {
+    /// A motion of finite numbers about an axis that is not 0.
+    pub(super) fn new(axis_point: [f64; 3], axis: [f64; 3], angle: f64, translation: [f64; 3]) -> Self {
+        let exponent = exact(axis).iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+        let axis = exact(axis).map(|c| c.scaled(-exponent));
+        let bounded_axis = axis.each_ref().map(Bounded::near);
+        let length = euclidean_norm(&bounded_axis.map(|c| c.value));
+        Self { axis_point, axis, bounded_axis, length, angle, translation }
+    }
+
+    /// The angle in radians.
+    pub(super) fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// The unit vector of the axis, rounded.
+    pub(super) fn unit_axis(&self) -> [f64; 3] {
+        self.bounded_axis.map(|c| c.value / self.length)
+    }
+
+    /// The stretch between two times, exactly; its quaternions are near those of the motion.
+    pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
+        self.between(times, &self.axis)
+    }
+
+    /// The same stretch in doubles.
+    pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
+        self.between(times, &self.bounded_axis)
+    }
+
+    /// A bound of the angle between a placement of the motion and that of the stretch at the same time.
+    pub(super) fn angle_off(&self, [from, to]: [f64; 2]) -> f64 {
+        if self.angle == 0.0 {
+            return 0.0;
+        }
+        let rounding = ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs();
+        let tangent = libm::tan((self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0);
+        CHORD_OF_A_LINEAR_QUATERNION * tangent * tangent * tangent + 2.0 * rounding
+    }
+
+    /// A bound above the distance of a body's points from the axis.
+    pub(super) fn reach(&self, body: &Zonotope<3>) -> f64 {
+        let unit = self.unit_axis();
+        let off_axis = |v: [f64; 3]| euclidean_norm(&cross(&unit, &v));
+        let center = [0, 1, 2].map(|k| body.center()[k] - self.axis_point[k]);
+        let reach = body.generators().iter().fold(off_axis(center), |sum, g| sum + off_axis(*g));
+        // a product with the unit vector is off by a few roundings of the whole length
+        let size = body.generators().iter().fold(euclidean_norm(&center), |sum, g| sum + euclidean_norm(g));
+        let terms = (body.generators().len() + 16) as f64;
+        (reach + terms * 4.0 * UNIT * size).next_up()
+    }
+
+    fn between<T: Scalar>(&self, times: [f64; 2], axis: &[T; 3]) -> Arc<T> {
+        let turned = |t: f64| {
+            let half = self.angle * t / 2.0;
+            let along = T::of(libm::sin(half) / self.length);
+            let [x, y, z] = axis.each_ref().map(|c| along.times(c));
+            [T::of(libm::cos(half)), x, y, z]
+        };
+        let gone = |t: f64| {
+            let moved = |k: usize| T::of(t).times(&T::of(self.translation[k]));
+            [0, 1, 2].map(|k| T::of(self.axis_point[k]).plus(&moved(k)))
+        };
+        Arc {
+            turns: times.map(turned),
+            base: times.map(gone),
+            arm: self.axis_point.map(|c| T::of(-c)),
+            weight: T::ONE,
+            is_translation: self.angle == 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bound_of_the_angle_holds_and_is_near() {
+        for angle in [1e-3, 0.1, 0.5, 1.0, LARGEST_ANGLE] {
+            let motion = ConstantRate::new([0.0; 3], [0.0, 0.0, 3.0], angle, [0.0; 3]);
+            let tangent = libm::tan(angle / 4.0);
+            let off = |i: u32| {
+                let s = f64::from(i) / 1000.0;
+                2.0 * (libm::atan((2.0 * s - 1.0) * tangent) - (2.0 * s - 1.0) * angle / 4.0).abs()
+            };
+            let largest = (0..=1000).map(off).fold(0.0, f64::max);
+            let bound = motion.angle_off([0.0, 1.0]);
+            assert!(largest <= bound && bound <= 1.15 * largest + 1e-13, "{angle}: {largest} of {bound}");
+        }
+    }
+}
