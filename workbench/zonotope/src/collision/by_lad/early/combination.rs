@@ -9,9 +9,9 @@ use std::ops::Range;
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::Witness;
-use crate::collision::by_lad::early::correcting_basis::correcting_basis;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes};
+use crate::collision::proof::balance::any_rest::basis_for_any;
 use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::level::level;
@@ -73,7 +73,7 @@ impl Written {
         coefficients: Vec<f64>,
     ) -> Option<Witness> {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
-        let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
+        let basis = basis_for_any(query.count(), |i| query.vector(i), &coefficients, rest)?;
         Some(Witness { coefficients, basis })
     }
 }

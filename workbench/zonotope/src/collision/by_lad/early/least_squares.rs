@@ -8,10 +8,10 @@
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::combination::rest;
-use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
+use crate::collision::proof::balance::any_rest::{basis_for_any, pair_for_any};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
@@ -239,7 +239,7 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     );
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
+        if let Some(basis) = basis_for_any(n, |i| query.vector(i), coefficients, rest) {
             return Ok(Clear::Inside(Witness { coefficients: coefficients.to_vec(), basis }));
         }
     }
@@ -277,7 +277,7 @@ fn tell_flat_at<S: Simd>(
     if is_thick && sums.largest <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
+        if let Some(basis) = pair_for_any(query, plane, &coefficients, rest) {
             return Ok(Witness { coefficients, basis });
         }
     }

@@ -10,10 +10,8 @@ use std::ops::Range;
 use crate::collision::Query;
 use crate::lad::of_generators::seam::generators::{Generators, KernelQuery};
 use crate::lad::of_generators::seam::linear_map::LinearMap;
-use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::sum_norm;
-use crate::numeric::tolerance::DETERMINANT_OF_ROWS;
 
 /// Rows in two runs.
 pub(crate) type Runs<'a> = [Rows<'a>; 2];
@@ -62,15 +60,11 @@ pub(crate) trait Passes {
 
 /// A query that the early stage may answer.
 pub(crate) trait EarlyQuery: Passes {
-    /// A determinant of three generators in doubles is off by less than this part of the product of their
-    /// [lengths](Self::vector).
-    const DETERMINANT_ERROR: f64;
-
     /// The displacement p in doubles, with a bound of each coordinate's error.
     fn displacement_in_doubles(&self) -> BoundedVector;
 
-    /// A generator in doubles, with a bound for its length |v|_1.
-    fn vector(&self, index: usize) -> ([f64; 3], f64);
+    /// A generator in doubles, with a bound of each coordinate's error.
+    fn vector(&self, index: usize) -> BoundedVector;
 
     /// Σ |v · u| with a bound of its error. One pass.
     fn reach(&self, u: &[f64; 3]) -> Bounded;
@@ -118,17 +112,14 @@ impl Passes for Query<'_, 3> {
 }
 
 impl EarlyQuery for Query<'_, 3> {
-    const DETERMINANT_ERROR: f64 = DETERMINANT_OF_ROWS;
-
     #[inline(always)]
     fn displacement_in_doubles(&self) -> BoundedVector {
         self.rounded_displacement()
     }
 
     #[inline(always)]
-    fn vector(&self, index: usize) -> ([f64; 3], f64) {
-        let v = Query::generator(self, index);
-        (v, sum_norm(&v))
+    fn vector(&self, index: usize) -> BoundedVector {
+        bounded::exact(Query::generator(self, index))
     }
 
     #[inline]

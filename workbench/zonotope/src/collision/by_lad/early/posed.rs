@@ -8,7 +8,6 @@ use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::lanes::bounded_sum_near;
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::tolerance::DETERMINANT_OF_IMAGES;
 
 /// A query about posed bodies whose matrices have entries of moderate size.
 #[derive(Debug)]
@@ -53,19 +52,17 @@ impl Passes for PosedRows<'_> {
 }
 
 impl EarlyQuery for PosedRows<'_> {
-    const DETERMINANT_ERROR: f64 = DETERMINANT_OF_IMAGES;
-
     fn displacement_in_doubles(&self) -> BoundedVector {
         self.p
     }
 
     #[inline]
-    fn vector(&self, index: usize) -> ([f64; 3], f64) {
+    fn vector(&self, index: usize) -> BoundedVector {
         let (map, v) = match index.checked_sub(self.runs[0].len()) {
             None => (&self.maps[0], &self.runs[0].list()[index]),
             Some(index) => (&self.maps[1], &self.runs[1].list()[index]),
         };
-        map.image_with_length(v)
+        map.bounded_image(v)
     }
 
     fn reach(&self, u: &[f64; 3]) -> Bounded {

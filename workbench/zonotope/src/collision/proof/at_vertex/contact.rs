@@ -9,16 +9,17 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
-use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::collision::proof::balance::choice::farthest_from_plane;
+use crate::collision::proof::balance::triple::Triple;
+use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
 use crate::lad::of_generators::told::Told;
+use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, dot, less_multiple};
 use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
 use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
 use crate::zonotope::query::Query;
 
 /// A share of more than this is taken to be 1: then others are solved for exactly, and nothing is told if it is not.
@@ -35,15 +36,10 @@ pub(super) fn touching(
 ) -> Option<Told> {
     let [a, b] = pair.map(|i| query.generator(i));
     let is_reversed = dot(u, &cross(&a, &b)) < 0.0;
-    let area = cross_terms(&a, &b);
+    let normal = bounded::cross(&bounded::exact(a), &bounded::exact(b));
     let mut members = Reused::with_capacity(8);
-    let (mut third, mut height) = (None, 0.0);
     for (i, v) in query.generators().enumerate() {
-        let along = dot(v, u);
-        if along.abs() > DETERMINANT_OF_ROWS * dot(&v.map(f64::abs), &area) + PRODUCT_UNDERFLOW {
-            if along.abs() > height {
-                (third, height) = (Some(i), along.abs());
-            }
+        if dot(&bounded::exact(*v), &normal).sign().is_some() {
             continue;
         }
         match determinant_sign_of_rows(&a, &b, v) {
@@ -51,10 +47,11 @@ pub(super) fn touching(
             order => signs[i] = if (order == Ordering::Greater) != is_reversed { 1.0 } else { -1.0 },
         }
     }
-    let third = third?;
     let mut is_member = Reused::with_capacity(signs.len());
     is_member.resize(signs.len(), 0u32);
     members.iter().for_each(|&i| is_member[i] = 1);
+    let off_facet = (0..signs.len()).filter(|&i| is_member[i] == 0);
+    let third = farthest_from_plane(u, off_facet, |i| query.generator(i))?;
     let off_plane = query.generators().zip(signs.iter()).zip(&is_member);
     let off_plane = off_plane.filter(|(_, is_member)| **is_member == 0).map(|((v, sign), _)| (*v, *sign as i8));
     let left = exact_linear::difference(&query.exact(), &signed_sum(off_plane));
@@ -65,11 +62,8 @@ pub(super) fn touching(
     let rounded = left.each_ref().map(Dyadic::to_f64);
     let mut pair = pair;
     if members.len() > 2 {
-        let duals = [cross(&b, u), cross(u, &a)];
-        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
-        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
-        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&query.generator(i))).collect();
-        let shares = facet_coefficients(&vectors, plane(&rounded)).ok()?;
+        let generators = members.iter().map(|&i| query.generator(i));
+        let shares = FacetPlane::along(u, [&a, &b]).shares(generators, &rounded).ok()?;
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = if share.abs() > NEARLY_ONE { share.signum() } else { share };
         }
@@ -113,13 +107,13 @@ struct Touched<'a, I> {
 impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
     /// The coefficients of the two for a sum of the facet's generators, if they are certainly in (−1, 1).
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
-        let start = minus(*sum, -self.signs[self.third], &self.query.generator(self.third));
-        let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.query.generator(i)));
-        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.query.generator(i));
-        match solve(&basis, &rest, errors)? {
-            [Some(first), Some(second), _] => Some([first, second]),
-            _ => None,
-        }
+        let start = less_multiple(*sum, -self.signs[self.third], &self.query.generator(self.third));
+        let rest =
+            self.others.clone().fold(start, |rest, i| less_multiple(rest, self.signs[i], &self.query.generator(i)));
+        let basis = [self.pair[0], self.pair[1], self.third].map(|i| bounded::exact(self.query.generator(i)));
+        let rest = [0, 1, 2].map(|k| Bounded { value: rest[k], error: errors[k] });
+        let [first, second, _] = Triple::new(&basis).coefficients(&rest);
+        Some([first?, second?])
     }
 
     /// The same, exactly, if they are in [−1, 1].
@@ -130,13 +124,9 @@ impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
         });
         let [a, b] = self.pair.map(|i| exact(self.query.generator(i)));
         let normal = exact_linear::cross(&a, &b);
-        let square = exact_linear::dot(&normal, &normal);
-        let coefficient = |dual: &ExactVector| {
-            let numerator = exact_linear::dot(&rest, dual);
-            let is_within = !square.is_zero() && numerator.clone().abs() <= square;
-            is_within.then(|| numerator.ratio(&square).clamp(-1.0, 1.0))
-        };
-        Some([coefficient(&exact_linear::cross(&b, &normal))?, coefficient(&exact_linear::cross(&normal, &a))?])
+        // the normal has no share in a vector of the plane
+        let [first, second, _] = Triple::new(&[a, b, normal]).coefficients(&rest);
+        Some([first?, second?])
     }
 }
 
@@ -195,7 +185,7 @@ mod tests {
                 let along = dot(v, &u);
                 if along == 0.0 { f64::from(random.random_range(-3..4)) / 4.0 } else { along.signum() }
             };
-            let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -coefficient(v), v));
+            let p = body.iter().fold([0.0; 3], |sum, v| less_multiple(sum, -coefficient(v), v));
             let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
             let answer = told(&body, p, pair);
             assert!(answer.is_none() || answer == Some(status), "{answer:?} {status} {body:?} {p:?}");

@@ -7,8 +7,9 @@
 //!
 //! [`Frame`]: crate::lad::of_generators::seam::frame::Frame
 
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::linear::{dot, max_norm, sum_norm};
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, SQUARABLE_SIZES, UNDERFLOW};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, SQUARABLE_SIZES, UNDERFLOW, UNIT};
 use crate::zonotope::pose::Pose;
 
 /// A matrix by rows, and at least the sum of the magnitudes of its entries.
@@ -39,11 +40,12 @@ impl<'a> LinearMap<'a> {
         [dot(a, v), dot(b, v), dot(c, v)]
     }
 
-    /// M v, rounded, with a bound of its length |M v|_1; that vector is off by at most 4 u times the bound.
+    /// M v, rounded, with a bound of each coordinate's error.
     #[inline]
-    pub(crate) fn image_with_length(&self, v: &[f64; 3]) -> ([f64; 3], f64) {
+    pub(crate) fn bounded_image(&self, v: &[f64; 3]) -> BoundedVector {
         // with room for what underflows in a product
-        (self.image(v), self.magnitude * sum_norm(v) + SQUARABLE_SIZES.start)
+        let error = 4.0 * UNIT * (self.magnitude * sum_norm(v) + SQUARABLE_SIZES.start) * FIVE_ROUNDINGS;
+        self.image(v).map(|value| Bounded { value, error })
     }
 
     /// M H Mᵀ, rounded; a symmetric matrix is given by xx, xy, xz, yy, yz, zz.
