@@ -11,6 +11,7 @@ mod enclosures;
 mod errors;
 mod fields;
 mod judges;
+mod kinds;
 mod mutants;
 mod mutation;
 mod plain;
@@ -46,9 +47,9 @@ fn errors_are_noticed(kind: &str, input: &Value) -> Result<usize, TestCaseError>
     for (place, result) in errors::planted(&right["result"]) {
         let wrong = json!({"id": "q", "kind": kind, "result": result});
         if matches!(check(&asked, &tree(&wrong)), Verdict::Right(_)) {
-            let verdict = judges::is_true(kind, input, &right["result"], &result, &mut known);
+            let verdict = kinds::is_true(kind, input, &right["result"], &result, &mut known);
             prop_assert!(
-                fields::are_exact(kind, &wrong) && verdict,
+                kinds::has_its_fields(kind, &wrong) && verdict,
                 "{}: {} is no answer to {}",
                 place,
                 wrong,

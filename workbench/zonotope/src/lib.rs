@@ -140,9 +140,9 @@ pub mod seed;
 pub mod tally;
 pub mod zonotope;
 
-pub use collision::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
+pub use collision::{Gauge, Location, Separation, Status, Witness};
 pub use enclosing::Enclosing;
 pub use numeric::non_finite::{NonFinite, Place};
 pub use seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};
-pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError, support_of};
+pub use zonotope::{AtRest, BoundingBox, Placed, Standing, Support, Zonotope, ZonotopeError, support_of};

@@ -12,17 +12,12 @@ pub const FILES_IN_CIRCLES: [&str; 6] = [
 ];
 
 /// Facades with functions, in circles with files that import what the facade itself has.
-pub const FACADES_IN_CIRCLES: [&str; 24] = [
-    "experiments/src/families",
-    "experiments/src/families/bodies",
-    "experiments/src/families/lines",
+pub const FACADES_IN_CIRCLES: [&str; 19] = [
     "experiments/src/findings",
     "experiments/src/fit",
     "experiments/src/peers",
     "experiments/src/runner",
     "figures/src/axes",
-    "workbench/batch/src",
-    "workbench/batch/src/transcript",
     "workbench/verifier/src/bodies/combinatorics",
     "workbench/zonobench/src/commands/distance",
     "workbench/zonobench/src/commands/inspect",
