@@ -32,9 +32,12 @@ impl<T: Scalar> Arc<T> {
     /// The matrices of |q(s)|² R(q(s)) as scaled Bernstein coefficients.
     pub(super) fn rotations(&self) -> [[[T; 3]; 3]; 3] {
         let [p, q] = &self.turns;
-        let mixed = polar_rotation(p, q);
-        let mixed = mixed.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)));
-        [polar_rotation(p, p), mixed, polar_rotation(q, q)]
+        let first = polar_rotation(p, p);
+        if self.is_translation {
+            let mixed = twice(&first);
+            return [first.clone(), mixed, first];
+        }
+        [first, twice(&polar_rotation(p, q)), polar_rotation(q, q)]
     }
 
     /// The matrices of |q|² |r|² R(q)⁻¹ R(r), the turn of another body as this one sees it, as scaled Bernstein
@@ -43,14 +46,16 @@ impl<T: Scalar> Arc<T> {
         let [p, q] = self.turns.each_ref().map(conjugate);
         let [r, s] = &other.turns;
         let relative = [composition(&p, r), sum(&composition(&p, s), &composition(&q, r)), composition(&q, s)];
-        std::array::from_fn(|k| {
-            let pairs = (0..3).filter(|i| (0..3).contains(&(k as isize - *i as isize)));
-            let terms = pairs.map(|i| polar_rotation(&relative[i], &relative[k - i]));
-            let added = |a: [[T; 3]; 3], b: [[T; 3]; 3]| {
-                std::array::from_fn(|i| std::array::from_fn(|j| a[i][j].plus(&b[i][j])))
-            };
-            terms.reduce(added).unwrap_or_else(|| unreachable!("each degree up to 4 is a sum of two up to 2"))
-        })
+        let [first, middle, last] = &relative;
+        let (ends, square) = (twice(&polar_rotation(first, last)), polar_rotation(middle, middle));
+        let center = std::array::from_fn(|i| std::array::from_fn(|j| ends[i][j].plus(&square[i][j])));
+        [
+            polar_rotation(first, first),
+            twice(&polar_rotation(first, middle)),
+            center,
+            twice(&polar_rotation(middle, last)),
+            polar_rotation(last, last),
+        ]
     }
 
     /// The weight times the centre c + w of a body's arm.
@@ -92,6 +97,11 @@ impl Arc<f64> {
         let [from, to] = self.base;
         [0, 1, 2].map(|k| (turned[k] / square + (from[k] + to[k]) / 2.0) / self.weight)
     }
+}
+
+/// Twice a matrix.
+fn twice<T: Scalar>(matrix: &[[T; 3]; 3]) -> [[T; 3]; 3] {
+    matrix.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)))
 }
 
 /// The path from one body's base to another's, times the weights of both.

@@ -41,6 +41,23 @@ impl ConstantRate {
         Self { axis_point, axis, bounded_axis, length, angle, translation }
     }
 
+    /// The same motion with all lengths times a power of two; `None` where they leave the range of doubles.
+    pub(super) fn scaled(&self, exponent: i64) -> Option<Self> {
+        let exactly = |c: f64| {
+            let scaled = Dyadic::from_f64(c).scaled(exponent);
+            let value = scaled.to_f64();
+            (value.is_finite() && Dyadic::from_f64(value) == scaled).then_some(value)
+        };
+        let vector = |v: &[f64; 3]| Some([exactly(v[0])?, exactly(v[1])?, exactly(v[2])?]);
+        Some(Self { axis_point: vector(&self.axis_point)?, translation: vector(&self.translation)?, ..self.clone() })
+    }
+
+    /// The binary exponent of the largest length; `None` where all are zero.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        let lengths = self.axis_point.iter().chain(&self.translation);
+        lengths.filter_map(|c| Dyadic::from_f64(*c).binary_exponent()).max()
+    }
+
     /// The angle in radians.
     pub(super) fn angle(&self) -> f64 {
         self.angle

@@ -208,6 +208,24 @@ impl Motion {
         Pose::new(rotation, [0, 1, 2].map(moved)).ok()
     }
 
+    /// The same motion with all lengths times a power of two, exactly; `None` where they leave the range of doubles.
+    pub(super) fn scaled(&self, exponent: i64) -> Option<Self> {
+        match &self.0 {
+            Kind::Rational(pieces) => {
+                Some(Self(Kind::Rational(pieces.iter().map(|piece| piece.scaled(exponent)).collect())))
+            }
+            Kind::ConstantRate(motion) => Some(Self(Kind::ConstantRate(Box::new(motion.scaled(exponent)?)))),
+        }
+    }
+
+    /// The binary exponent of the largest length, or one more; `None` where all are zero.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        match &self.0 {
+            Kind::Rational(pieces) => pieces.iter().filter_map(Piece::size_exponent).max(),
+            Kind::ConstantRate(motion) => motion.size_exponent(),
+        }
+    }
+
     /// The times strictly between two others at which a stretch must end: those at which a part of the motion ends.
     pub(super) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
         let pieces: &[Piece] = match &self.0 {

@@ -104,6 +104,22 @@ impl Piece {
         Self { from, until, bounded: path.near(), exact: path, is_translation }
     }
 
+    /// The same piece with all lengths times a power of two.
+    pub(super) fn scaled(&self, exponent: i64) -> Self {
+        let mut path = self.exact.clone();
+        for list in [&mut path.base, &mut path.travel, &mut path.arm] {
+            list.iter_mut().for_each(|c| *c = c.clone().scaled(exponent));
+        }
+        Self { bounded: path.near(), exact: path, ..*self }
+    }
+
+    /// The binary exponent of the largest length, or one more.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        let Path { base, travel, arm, weight, .. } = &self.exact;
+        let largest = [base, travel, arm].into_iter().flatten().filter_map(Dyadic::binary_exponent).max()?;
+        Some(largest - weight.binary_exponent()?)
+    }
+
     /// The stretch of the piece between two of its times, exactly.
     pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
         self.exact.between(times, self.is_translation)

@@ -3,7 +3,9 @@
 
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::Ring;
+use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::{absolute_sums, bounded_sums};
+use crate::numeric::linear::{Ring, dot};
 
 /// A number with a magnitude and a sign that may be in doubt.
 pub(super) trait Scalar: Ring {
@@ -16,11 +18,15 @@ pub(super) trait Scalar: Ring {
     /// The magnitude, or more where the sign is in doubt.
     fn magnitude(&self) -> Self;
 
-    /// Whether the exact value is greater than 0 beyond doubt.
-    fn is_certainly_positive(&self) -> bool;
+    /// Σ |u · g| over generators g for each of several directions u; `magnitude` is Σ |g|_1, but for rounding.
+    fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K];
 }
 
 impl Scalar for f64 {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        absolute_sums(Rows::new(generators), directions)
+    }
+
     #[inline]
     fn of(value: f64) -> Self {
         value
@@ -34,14 +40,13 @@ impl Scalar for f64 {
     fn magnitude(&self) -> Self {
         self.abs()
     }
-
-    #[inline]
-    fn is_certainly_positive(&self) -> bool {
-        false
-    }
 }
 
 impl Scalar for Bounded {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        bounded_sums(Rows::new(generators), magnitude, directions)
+    }
+
     #[inline]
     fn of(value: f64) -> Self {
         Self::exact(value)
@@ -57,14 +62,16 @@ impl Scalar for Bounded {
     fn magnitude(&self) -> Self {
         Self { value: self.value.abs(), error: self.error }
     }
-
-    #[inline]
-    fn is_certainly_positive(&self) -> bool {
-        self.is_positive()
-    }
 }
 
 impl Scalar for Dyadic {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        let reach = |u: &[Self; 3]| {
+            generators.iter().map(|g| dot(u, &g.map(Self::of)).abs()).fold(Self::zero(), |sum, c| sum + c)
+        };
+        directions.each_ref().map(reach)
+    }
+
     fn of(value: f64) -> Self {
         Self::from_f64(value)
     }
@@ -75,9 +82,5 @@ impl Scalar for Dyadic {
 
     fn magnitude(&self) -> Self {
         self.clone().abs()
-    }
-
-    fn is_certainly_positive(&self) -> bool {
-        self.sign().is_gt()
     }
 }

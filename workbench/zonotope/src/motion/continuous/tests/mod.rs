@@ -1,12 +1,16 @@
 //! First contacts against dense sampling, and their proofs against exact gaps at rational times.
 
 use super::brute_force::{Placement, gap};
-use super::{FirstContact, SeparatingDirection, first_contact};
+use super::{FirstContact, FreeStretch, SeparatingDirection, first_contact};
 use crate::motion::{Motion, MotionPiece};
 use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+
+mod degenerate;
+mod soundness;
 
 /// A body of random generators of about a size.
 fn random_body(rng: &mut Pcg64, generators: usize, size: f64) -> Zonotope<3> {
@@ -42,6 +46,17 @@ fn random_parts(rng: &mut Pcg64, parts: usize) -> Vec<MotionPiece> {
         .collect()
 }
 
+/// The gap of a stretch after some eighths of its time, exactly.
+fn exact_gap_at(bodies: [&Zonotope<3>; 2], parts: [&[MotionPiece]; 2], stretch: &FreeStretch, eighths: u8) -> Rational {
+    let share = Rational::from(eighths) / Rational::from(8u8);
+    let exact = |t: f64| Dyadic::from_f64(t).to_rational();
+    let time = exact(stretch.from) + share * (exact(stretch.until) - exact(stretch.from));
+    let middle = stretch.from + (stretch.until - stretch.from) / 2.0;
+    let part = |parts: &[MotionPiece]| parts.iter().position(|part| middle < part.until).expect("a part");
+    let placements = parts.map(|parts| Placement::at(parts, part(parts), &time));
+    gap(bodies, placements.each_ref(), &stretch.direction)
+}
+
 fn check(bodies: [&Zonotope<3>; 2], parts: [&[MotionPiece]; 2]) -> &'static str {
     let motions = parts.map(|parts| Motion::from_pieces(parts).expect("the parts are a motion"));
     let found = first_contact(bodies, motions.each_ref());
@@ -49,14 +64,8 @@ fn check(bodies: [&Zonotope<3>; 2], parts: [&[MotionPiece]; 2]) -> &'static str 
     for stretch in found.free() {
         assert_eq!(stretch.from, end, "stretches follow each other");
         end = stretch.until;
-        for sample in [0u8, 1, 3, 5, 7, 8] {
-            let share = Rational::from(sample) / Rational::from(8u8);
-            let exact = |t: f64| crate::numeric::dyadic::Dyadic::from_f64(t).to_rational();
-            let time = exact(stretch.from) + share * (exact(stretch.until) - exact(stretch.from));
-            let middle = stretch.from + (stretch.until - stretch.from) / 2.0;
-            let part = |parts: &[MotionPiece]| parts.iter().position(|part| middle < part.until).expect("a part");
-            let placements = parts.map(|parts| Placement::at(parts, part(parts), &time));
-            assert!(gap(bodies, placements.each_ref(), &stretch.direction) > Rational::ZERO, "{stretch:?}");
+        for eighths in [0u8, 1, 3, 5, 7, 8] {
+            assert!(exact_gap_at(bodies, parts, stretch, eighths) > Rational::ZERO, "{stretch:?}");
         }
     }
     match &found {
