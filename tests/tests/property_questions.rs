@@ -95,6 +95,16 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
             let a = body(n, dimension, count / 2);
             json!({"a": a, "b": body(n, dimension, count - count / 2)})
         }
+        "collide" => {
+            let (a, b) = (body(n, space, count / 2), body(n, space, count - count / 2));
+            let angle = vector(n, 1)[0].take();
+            let turn = json!({"axis_point": vector(n, space), "axis": vector(n, space), "angle": angle,
+                "translation": vector(n, space)});
+            let still = [1, 0, 0, 0];
+            let pieces = json!([{"until": 1, "from": still, "to": [1, 1, 0, 0], "axis_point": vector(n, space),
+                "translation": vector(n, space)}]);
+            json!({"a": a, "b": b, "motion": {"a": turn, "b": {"pieces": pieces}}})
+        }
         "approx" => json!({"generators": vectors(n, dimension, count), "epsilon": 0.25}),
         "reduce" => {
             let rule = ["cluster", "lemma_5_5", "girard", "combastel", "pca", "scott", "adaptive", "best"][count % 8];
@@ -170,6 +180,8 @@ fn answers_verify(dimension: usize, count: usize, numbers: &[f64]) -> Result<(),
         "than rounding the centre to doubles explains",
         "the upper bound is not checked",
         "more than 1 % apart",
+        "what encloses the placements",
+        "take too much exact work",
     ];
     for kind in KINDS {
         let question = question(kind.name, &input(kind.name, dimension, count, numbers));

@@ -18,6 +18,7 @@ fn of_result(kind: &str, result: &Value) -> bool {
         "gauge" => has(result, &["gauge", "at_most_one", "certificate"]) && is_location(&result["certificate"]),
         "member_batch" => has(result, &["status", "gauge", "build", "query"]),
         "distance" => of_distance(result),
+        "collide" => of_first_contact(result),
         "hausdorff" => has(result, &["value", "lower", "upper", "direction", "a_subset_b"]),
         "approx" | "reduce" => {
             let certificate = &result["certificate"];
@@ -83,6 +84,18 @@ fn of_distance(result: &Value) -> bool {
         && ["nearest", "features"].iter().all(|name| part(name, &["a", "b"]))
         && part("distance_certificate", &["coefficients", "basis"])
         && part("penetration", &["lower", "upper", "direction"])
+}
+
+fn of_first_contact(result: &Value) -> bool {
+    let (own, proof): (&[&str], &[&str]) = match result["status"].as_str() {
+        Some("separate") => (&[], &[]),
+        Some("contact") => (&["time"], &["coefficients", "basis"]),
+        _ => (&["time", "distance_at_most"], &[]),
+    };
+    let intervals = result["certificate"]["intervals"].as_array();
+    has(result, &[&["status", "certificate"], own].concat())
+        && has(&result["certificate"], &[&["intervals"], proof].concat())
+        && intervals.is_some_and(|all| all.iter().all(|one| has(one, &["from", "to", "frame", "direction"])))
 }
 
 fn of_forces(certificate: &Value) -> bool {

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use crate::bounds::{self, Known};
 use crate::enclosures;
+use crate::encounters;
 use crate::proximity;
 use crate::rationals::{absolute, dot, indices, minus, number, solved, vector, vectors};
 use crate::truth::contains;
@@ -33,6 +34,7 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known:
             Some(same_fields(&["intersects", "status"], right, changed)).zip(proves(&p, &generators, right, changed))
         }
         "distance" => proximity::judged(input, right, changed),
+        "collide" => encounters::judged(input, changed),
         "gauge" => {
             let body = placed(input, "p");
             let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));

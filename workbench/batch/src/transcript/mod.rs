@@ -2,6 +2,7 @@
 
 mod collision;
 mod enclosing;
+mod motion;
 mod placed;
 mod reading;
 mod reduction;
@@ -127,6 +128,7 @@ fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> 
         "walk" => solids::walk(input, result),
         "member_batch" => collision::member_batch(input, answer),
         "distance" => collision::distance(input, result),
+        "collide" => motion::collide(input, result),
         "approx" => reduction::approx(input, result),
         "reduce" => reduction::reduce(input, result),
         "hausdorff" => reduction::hausdorff(input, result),

@@ -56,6 +56,9 @@ pub const SHORTEST_STRETCH: f64 = 1.0 / (1u64 << 36) as f64;
 /// The resolution of a contact where none is asked for.
 pub const DEFAULT_RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
+/// The finest resolution: times from 0 to 1 that are so far apart are doubles, and so is what lies half-way.
+pub const FINEST_RESOLUTION: f64 = 1.0 / (1u64 << 50) as f64;
+
 /// The number of stretches that are looked at.
 pub const STRETCH_LIMIT: usize = 1 << 16;
 
@@ -65,10 +68,10 @@ pub fn first_contact(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2]) -> FirstC
     first_contact_within(bodies, motions, DEFAULT_RESOLUTION)
 }
 
-/// The same with another resolution, at least [`SHORTEST_STRETCH`].
+/// The same with another resolution, at least [`FINEST_RESOLUTION`].
 pub fn first_contact_within(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], resolution: f64) -> FirstContact {
     let reaches = [0, 1].map(|i| motions[i].reach(bodies[i]));
-    Search { bodies, motions, reaches, free: Vec::new() }.first_contact(resolution.max(SHORTEST_STRETCH))
+    Search { bodies, motions, reaches, free: Vec::new() }.first_contact(resolution.max(FINEST_RESOLUTION))
 }
 
 /// A stretch that is not decided yet.
@@ -92,7 +95,7 @@ struct Search<'a> {
 impl Search<'_> {
     fn first_contact(mut self, resolution: f64) -> FirstContact {
         if let Ok(witness) = self.at(0.0) {
-            return FirstContact::Contact { free: self.free, time: [0.0; 2], witness };
+            return self.contact([0.0; 2], witness);
         }
         let mut open = self.parts();
         for _ in 0..STRETCH_LIMIT {
@@ -109,13 +112,13 @@ impl Search<'_> {
             let width = until - from;
             match meets {
                 Some(witness) if width <= resolution => {
-                    return FirstContact::Contact { free: self.free, time: [from, until], witness };
+                    return self.contact([from, until], witness);
                 }
-                None if width <= SHORTEST_STRETCH => match self.at(until) {
-                    Ok(witness) if width <= resolution => {
-                        return FirstContact::Contact { free: self.free, time: [from, until], witness };
+                None if width <= SHORTEST_STRETCH.min(resolution) => match self.at(until) {
+                    Ok(witness) => {
+                        return self.contact([from, until], witness);
                     }
-                    _ => return self.grazing([from, until]),
+                    Err(_) => return self.grazing([from, until]),
                 },
                 meets => {
                     let middle = from + width / 2.0;
@@ -213,10 +216,11 @@ impl Search<'_> {
             Location::Outside(Separation::Exact(_)) => Err(None),
             Location::Inside(witness) | Location::Boundary(witness) => {
                 if self.is_meeting(time, &witness) {
-                    Ok(witness)
-                } else {
-                    Err(None)
+                    return Ok(witness);
                 }
+                let arcs = self.motions.map(|motion| motion.arc([time; 2]).rounded());
+                let completed = meeting::completed(self.bodies, arcs.each_ref(), witness);
+                completed.filter(|witness| self.is_meeting(time, witness)).ok_or(None)
             }
         }
     }
@@ -233,9 +237,17 @@ impl Search<'_> {
         margin == 0.0 && angles_off == [0.0; 2] && meeting::is_proved(self.bodies, [&p, &q], witness)
     }
 
+    /// The answer where the bodies meet at the second time.
+    fn contact(self, time: [f64; 2], witness: Witness) -> FirstContact {
+        let arcs = self.motions.map(|motion| motion.exact_arc([time[1]; 2]));
+        let witness = meeting::with_nearest_basis(self.bodies, arcs.each_ref(), witness);
+        FirstContact::Contact { free: self.free, time, witness }
+    }
+
     /// The answer where a stretch is not decided.
     fn grazing(self, time: [f64; 2]) -> FirstContact {
-        let distance_at_most = self.distance_at_most(time[1]).unwrap_or(f64::INFINITY);
+        let distance_at_most = self.distance_at_most(time[1]).filter(|distance| !distance.is_nan());
+        let distance_at_most = distance_at_most.unwrap_or(f64::INFINITY);
         FirstContact::Grazing { free: self.free, time, distance_at_most }
     }
 
