@@ -131,6 +131,14 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
         }
         "intersect" => json!({"a": body(dice, style, dimension, count), "b": body(dice, style, dimension, 4 - count)}),
         "distance" => json!({"a": body(dice, style, space, count), "b": body(dice, style, space, 5 - count)}),
+        "collide" => {
+            let (a, b) = (body(dice, style, 3, count), body(dice, style, 3, 4 - count));
+            let mut motion = json!({"a": pieces(dice)});
+            if dice.one_in(2) {
+                motion["b"] = pieces(dice);
+            }
+            json!({"a": a, "b": b, "motion": motion})
+        }
         "hausdorff" => {
             let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4 - count));
             // Of some pairs the second body is the first one and more.
@@ -175,6 +183,23 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
         }
         other => panic!("no question is made of the kind `{other}`"),
     }
+}
+
+/// A motion of one or two pieces in small whole numbers, each of at most half a turn.
+fn pieces(dice: &mut Dice) -> Value {
+    let count = 1 + dice.below(2);
+    let mut whole = |most: usize| dice.below(2 * most + 1) as f64 - most as f64;
+    let list = (1..=count).map(|number| {
+        let mut quaternion = || [1.0 + whole(2).abs(), whole(2), whole(2), whole(2)];
+        let (from, to): ([f64; 4], [f64; 4]) = (quaternion(), quaternion());
+        let is_opposite = from.iter().zip(to).map(|(p, q)| p * q).sum::<f64>() < 0.0;
+        let to = if is_opposite { to.map(|c| -c) } else { to };
+        json!({
+            "until": number as f64 / count as f64, "from": from, "to": to,
+            "axis_point": [whole(2), whole(2), whole(2)], "translation": [whole(6), whole(6), whole(6)],
+        })
+    });
+    json!({"pieces": list.collect::<Vec<_>>()})
 }
 
 fn with(mut input: Value, field: &str, value: Value) -> Value {

@@ -70,11 +70,22 @@ fn vectors(numbers: &mut impl Iterator<Item = f64>, dimension: usize, count: usi
 /// The coordinates of what a kind asks about; the kinds that take any number of them are left out.
 fn coordinates(kind: &str, dimension: usize) -> usize {
     match kind {
-        "slope_selection" | "separator" | "walk" | "upper_hull" => 3,
+        "slope_selection" | "separator" | "walk" | "upper_hull" | "collide" | "sweep" => 3,
         "distance" | "hausdorff" | "member_batch" | "min_length_all" => dimension.min(3),
         "min_area" => 2,
         _ => dimension,
     }
+}
+
+/// Motions of two bodies: a rotation at constant rate and a rational part.
+fn motions(n: &mut impl Iterator<Item = f64>) -> Value {
+    let angle = vector(n, 1)[0].take();
+    let [axis_point, axis, translation] = [(); 3].map(|()| vector(n, 3));
+    let turn = json!({"axis_point": axis_point, "axis": axis, "angle": angle, "translation": translation});
+    let [axis_point, translation] = [(); 2].map(|()| vector(n, 3));
+    let part = json!({"until": 1, "from": [1, 0, 0, 0], "to": [1, 1, 0, 0], "axis_point": axis_point,
+        "translation": translation});
+    json!({"a": turn, "b": {"pieces": [part]}})
 }
 
 /// An input with the fields of a kind and the given numbers, in a dimension that the kind takes.
@@ -103,6 +114,9 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
             "k" if kind == "slope_selection" => json!([1]),
             "k" => 1.into(),
             "facet" => json!([0, 1, -1]),
+            "axis_point" | "axis" | "translation" => vector(n, 3),
+            "angle" => vector(n, 1)[0].take(),
+            "motion" => motions(n),
             other => panic!("no value is made for the field `{other}` of `{kind}`"),
         };
         ((*name).to_owned(), value)
@@ -150,6 +164,8 @@ fn answers_verify(dimension: usize, count: usize, numbers: &[f64]) -> Result<(),
         "than rounding the centre to doubles explains",
         "the upper bound is not checked",
         "more than 1 % apart",
+        "what encloses the placements",
+        "take too much exact work",
     ];
     for kind in KINDS {
         let question = question(kind.name, &input(kind.name, dimension, count, numbers));

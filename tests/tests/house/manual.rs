@@ -45,6 +45,7 @@ fn every_command_is_listed() {
         "contains",
         "intersect",
         "distance",
+        "collide",
         "reduce",
         "inspect",
         "solve",

@@ -46,3 +46,16 @@ pub fn of_forces(certificate: &Value) -> bool {
     has(certificate, &["forces"])
         && forces.is_some_and(|forces| forces.iter().all(|force| has(force, &["point", "vector"])))
 }
+
+/// Whether a result has the fields of a first contact, by its status.
+pub fn of_first_contact(result: &Value) -> bool {
+    let (own, proof): (&[&str], &[&str]) = match result["status"].as_str() {
+        Some("separate") => (&[], &[]),
+        Some("contact") => (&["time"], &["coefficients", "basis"]),
+        _ => (&["time", "distance_at_most"], &[]),
+    };
+    let intervals = result["certificate"]["intervals"].as_array();
+    has(result, &[&["status", "certificate"], own].concat())
+        && has(&result["certificate"], &[&["intervals"], proof].concat())
+        && intervals.is_some_and(|all| all.iter().all(|one| has(one, &["from", "to", "frame", "direction"])))
+}

@@ -3,10 +3,10 @@
 use serde_json::Value;
 
 use crate::bounds::{self, Known};
-use crate::fields::{has, is_location, of_distance, of_forces, of_location};
+use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, of_location};
 use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
 use crate::rationals::{minus, vector, vectors};
-use crate::{enclosures, proximity};
+use crate::{enclosures, encounters, proximity};
 
 /// A right answer with one that was changed.
 struct Pair<'a> {
@@ -26,7 +26,7 @@ struct Row {
     judge: fn(&Pair<'_>, &mut Option<Known>) -> Judged,
 }
 
-const ROWS: [Row; 17] = [
+const ROWS: [Row; 18] = [
     Row {
         kind: "member",
         has_fields: |result| has(result, &["member", "status", "certificate"]) && of_location(result),
@@ -48,6 +48,11 @@ const ROWS: [Row; 17] = [
         kind: "distance",
         has_fields: of_distance,
         judge: |pair, _| proximity::judged(pair.input, pair.right, pair.changed),
+    },
+    Row {
+        kind: "collide",
+        has_fields: of_first_contact,
+        judge: |pair, _| encounters::judged(pair.input, pair.changed),
     },
     Row { kind: "approx", has_fields: of_enclosing, judge: enclosing },
     Row { kind: "reduce", has_fields: of_enclosing, judge: enclosing },

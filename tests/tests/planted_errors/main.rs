@@ -8,6 +8,7 @@
 
 mod bounds;
 mod enclosures;
+mod encounters;
 mod errors;
 mod fields;
 mod judges;

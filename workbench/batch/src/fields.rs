@@ -57,9 +57,21 @@ impl<'a> Fields<'a> {
         Self::at(self.value(name), expected, optional, self.place.field(name))
     }
 
+    /// The objects in the list under `name`, each with the expected fields and no others.
+    pub(super) fn objects(&self, name: &str, expected: &[&str]) -> Result<Vec<Self>, Refusal> {
+        let place = self.place.field(name);
+        let at = |(index, object)| Self::at(object, expected, &[], place.element(index));
+        (0..).zip(self.limited(name)?).map(at).collect()
+    }
+
+    /// Whether there is a field that may be absent.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.object.field(name).is_some()
+    }
+
     /// Whether there is a pose.
     pub(super) fn has_pose(&self) -> bool {
-        self.object.field("pose").is_some()
+        self.has("pose")
     }
 
     /// The place of a field.

@@ -4,6 +4,7 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
+mod motion;
 
 use serde_json::Value;
 
@@ -48,6 +49,7 @@ pub static KINDS: &[Kind] = &[
     collision::intersect::KIND,
     collision::gauge::KIND,
     collision::distance::KIND,
+    motion::collide::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,

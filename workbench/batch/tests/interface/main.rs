@@ -5,6 +5,7 @@ mod false_answers;
 mod hard_questions;
 mod json;
 mod many_points;
+mod moving;
 mod near_the_largest_double;
 mod places;
 mod poses;

@@ -52,6 +52,12 @@ impl Displaced {
         Ok(Self { from, to, p, generators, exponent: frame.exponent() })
     }
 
+    /// The vector between two points and generators, all in units of 2^`exponent`, or of a multiple of it.
+    pub(crate) fn of_vectors(from: Vector, to: Vector, generators: Vec<Vector>, exponent: i32) -> Self {
+        let p = to.iter().zip(&from).map(|(to, from)| to - from).collect();
+        Self { from, to, p, generators, exponent }
+    }
+
     pub(crate) fn dimension(&self) -> usize {
         self.p.len()
     }

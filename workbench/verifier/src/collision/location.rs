@@ -145,17 +145,17 @@ pub(crate) fn proven(question: &Displaced, certificate: &LocationCertificate) ->
 }
 
 /// The coefficients of a certificate off its basis, and what they leave of the vector, in units of 1 / `one`.
-pub(super) struct Certified {
+pub(crate) struct Certified {
     /// A numerator for each generator; 0 for those of the basis.
-    pub(super) numerators: Vec<IBig>,
+    pub(crate) numerators: Vec<IBig>,
     /// p − Σ δ_i g_i over the generators off the basis.
-    pub(super) rest: Vector,
+    pub(crate) rest: Vector,
     /// The denominator of both.
-    pub(super) one: IBig,
+    pub(crate) one: IBig,
 }
 
 /// The coefficients off the basis, or what is wrong with them or with the basis.
-pub(super) fn certified_coefficients(
+pub(crate) fn certified_coefficients(
     question: &Displaced,
     coefficients: &[f64],
     basis: &[usize],

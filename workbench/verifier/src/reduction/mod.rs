@@ -2,7 +2,7 @@
 
 mod difference;
 pub(crate) mod hausdorff;
-mod nearest_point;
+pub(crate) mod nearest_point;
 pub(crate) mod reduced;
 mod rounded_search;
 pub(crate) mod shares;

@@ -25,7 +25,7 @@ const BITS_A_STEP: usize = 400;
 
 /// The place of a point relative to a distance from a zonotope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Reach {
+pub(crate) enum Reach {
     /// Some point of the zonotope is that near.
     Near,
     /// No point of the zonotope is that near.
@@ -36,7 +36,7 @@ pub(super) enum Reach {
 
 /// Whether the zonotope Σ δ_i g_i, |δ_i| ≤ 1, comes as near to a point as a limit says. The work that is done is taken
 /// from `work`.
-pub(super) fn reach(point: &Vector, generators: &[Vector], limit: &Proportion, work: &mut u64) -> Reach {
+pub(crate) fn reach(point: &Vector, generators: &[Vector], limit: &Proportion, work: &mut u64) -> Reach {
     let bits = point.iter().chain(generators.iter().flatten()).map(|c| c.bit_len()).max().unwrap_or(0);
     let round = (generators.len() as u64 + ROUND_WORK) * (1 + bits / BITS_A_STEP) as u64;
     let mut corral = Corral::at(difference(point, &farthest_vertex(generators, point)));

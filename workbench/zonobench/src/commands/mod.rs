@@ -2,6 +2,7 @@
 
 mod asked;
 mod asking;
+pub mod collide;
 pub mod compare;
 pub mod contains;
 pub mod distance;

@@ -17,6 +17,9 @@ use crate::zonotope::Zonotope;
 /// The largest angle of a stretch: a quarter turn. tan(θ/4) is 0.415 there.
 pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
+/// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
+const LARGEST_QUARTER: f64 = 0.7;
+
 /// The motion x ↦ p + R(t · angle) (x − p) + t · translation for t in [0, 1], R about an axis of any length.
 #[derive(Debug, Clone)]
 pub(super) struct ConstantRate {
@@ -84,7 +87,11 @@ impl ConstantRate {
             return 0.0;
         }
         let rounding = ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs();
-        let tangent = libm::tan((self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0);
+        let quarter = (self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0;
+        if !(quarter < LARGEST_QUARTER) {
+            return f64::INFINITY;
+        }
+        let tangent = libm::tan(quarter);
         CHORD_OF_A_LINEAR_QUATERNION * tangent * tangent * tangent + 2.0 * rounding
     }
 
@@ -124,6 +131,14 @@ impl ConstantRate {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_angle_of_which_doubles_hold_no_turn_has_no_bound() {
+        for angle in [1.3e16, 1.41e16, 5e16, 1e300] {
+            let motion = ConstantRate::new([0.0; 3], [0.0, 0.0, 3.0], angle, [0.0; 3]);
+            assert_eq!(motion.angle_off([0.5, 0.5]), f64::INFINITY, "{angle}");
+        }
+    }
 
     #[test]
     fn the_bound_of_the_angle_holds_and_is_near() {

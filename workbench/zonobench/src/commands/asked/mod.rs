@@ -5,7 +5,7 @@ mod request;
 use std::path::{Path, PathBuf};
 
 use anyhow::{bail, ensure};
-use batch::json::{NonFinite, rows_to_json, vector_to_json};
+use batch::json::{NonFinite, Tree, rows_to_json, to_json, vector_to_json};
 use batch::{Line, Verdict};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -98,6 +98,18 @@ pub(super) fn how_to_verify(files: &[&Path], question: Option<&PathBuf>, answer:
             format!("--json FILE writes the answer; zonobench verify {}FILE checks it", words(files))
         }
         _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
+    }
+}
+
+/// A document as a part of a question or of an answer.
+pub(super) fn value_of(tree: &Tree) -> Value {
+    match tree {
+        Tree::Null => Value::Null,
+        Tree::Bool(truth) => (*truth).into(),
+        Tree::Number(number) => to_json(*number),
+        Tree::Text(text) => text.as_str().into(),
+        Tree::List(elements) => elements.iter().map(value_of).collect(),
+        Tree::Object(fields) => fields.iter().map(|(name, value)| (name.clone(), value_of(value))).collect(),
     }
 }
 

@@ -3,6 +3,7 @@
 use batch::json::{Tree, vector_to_json};
 use serde_json::{Map, Value, json};
 
+use super::value_of;
 use crate::commands::asking::{POINT_FIELDS, PointOptions, RecordError, field, record_points, recorded_points, truth};
 use crate::input::{Layout, Origin, Placed, Reading};
 
@@ -13,6 +14,8 @@ pub(crate) enum About {
     Intersect,
     /// The distance of two bodies.
     Distance,
+    /// When two moving bodies meet first.
+    Collide,
     /// Which points a body contains.
     Contains,
     /// A body of few generators.
@@ -47,13 +50,15 @@ impl Role {
 }
 
 impl About {
-    const ALL: [Self; 5] = [Self::Intersect, Self::Distance, Self::Contains, Self::Reduce, Self::Inspect];
+    const ALL: [Self; 6] =
+        [Self::Intersect, Self::Distance, Self::Collide, Self::Contains, Self::Reduce, Self::Inspect];
 
     /// The command, and the kind of its question.
     fn names(self) -> [&'static str; 2] {
         match self {
             Self::Intersect => ["intersect", "intersect"],
             Self::Distance => ["distance", "distance"],
+            Self::Collide => ["collide", "collide"],
             Self::Contains => ["contains", "member_batch"],
             Self::Reduce => ["reduce", "reduce"],
             Self::Inspect => ["inspect", "combinatorics"],
@@ -74,7 +79,7 @@ impl About {
     /// The files that it is about, in the order of the command line.
     fn roles(self) -> &'static [Role] {
         match self {
-            Self::Intersect | Self::Distance => &[Role::A, Role::B],
+            Self::Intersect | Self::Distance | Self::Collide => &[Role::A, Role::B],
             Self::Contains => &[Role::Body, Role::Points],
             Self::Reduce | Self::Inspect => &[Role::Body],
         }
@@ -94,7 +99,7 @@ impl About {
         reduction: Option<(u64, &str)>,
     ) -> Value {
         let mut input = match (self, bodies) {
-            (Self::Intersect | Self::Distance, [a, b]) => json!({"a": a, "b": b}),
+            (Self::Intersect | Self::Distance | Self::Collide, [a, b]) => json!({"a": a, "b": b}),
             (Self::Inspect, [body]) => match body.get("pose") {
                 Some(pose) => json!({"generators": body["generators"], "pose": pose}),
                 None => json!({"generators": body["generators"]}),
@@ -177,6 +182,8 @@ pub(crate) struct Recorded {
     pub(crate) files: Vec<RecordedFile>,
     /// The most generators and the rule of a reduction.
     pub(crate) reduction: Option<(u64, String)>,
+    /// The motions of two bodies, and the resolution if one was asked for: further fields of the question.
+    pub(crate) step: Vec<(&'static str, Value)>,
     /// The first field that no request has.
     pub(crate) unknown: Option<String>,
 }
@@ -214,7 +221,7 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         recorded.unknown = recorded.unknown.take().or(other.map(|name| format!("{place}{name}")));
     };
     let roles: Vec<&str> = about.roles().iter().map(|role| role.field()).collect();
-    note_unknown(request, &[&roles[..], &["command", "count", "rule"]].concat(), "");
+    note_unknown(request, &[&roles[..], &["command", "count", "rule", "motion", "resolution"]].concat(), "");
     for &role in about.roles() {
         let record = request.field(role.field()).ok_or(RecordError(role.field()))?;
         let known = if role == Role::Points { &POINT_FIELDS[..] } else { &BODY_FIELDS };
@@ -235,6 +242,11 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         let count = field(request, "count", |value| value.index().and_then(|count| u64::try_from(count).ok()))?;
         let rule = field(request, "rule", |value| value.text().map(str::to_owned))?;
         recorded.reduction = Some((count.ok_or(RecordError("count"))?, rule.ok_or(RecordError("rule"))?));
+    }
+    if about == About::Collide {
+        let motion = request.field("motion").ok_or(RecordError("motion"))?;
+        let resolution = request.field("resolution").map(|resolution| ("resolution", value_of(resolution)));
+        recorded.step = [("motion", value_of(motion))].into_iter().chain(resolution).collect();
     }
     Ok(recorded)
 }

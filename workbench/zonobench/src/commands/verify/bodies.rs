@@ -28,6 +28,11 @@ pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer:
                           verify` checks it against its question";
             return Ok(AboutData::without_question(reason.to_owned()));
         }
+        None if about == About::Collide => {
+            let reason = "the answer does not record the motions of the bodies; `zonobench verify` checks it against \
+                          its question";
+            return Ok(AboutData::without_question(reason.to_owned()));
+        }
         None => None,
     };
     let is_recorded = recorded.is_some();
@@ -99,7 +104,10 @@ fn ask_again(
     }
     let names: Vec<String> = files.iter().map(|file| question_name(file)).collect();
     let reduction = recorded.reduction.as_ref().map(|(count, rule)| (*count, rule.as_str()));
-    let question = about.question(&names.join(" and "), &bodies, points.as_ref(), reduction);
+    let mut question = about.question(&names.join(" and "), &bodies, points.as_ref(), reduction);
+    for (name, value) in &recorded.step {
+        question["input"][*name] = value.clone();
+    }
     let read = json::read(question.to_string().as_bytes(), MAX_VALUES);
     Ok((read.with_context(|| display(files))?, hashes))
 }

@@ -10,9 +10,16 @@ const A: &str = r#"{"center":[0,0],"generators":[[1,0],[0.3,1]]}"#;
 const B: &str = r#"{"c":[5,1],"G":[[1,0.25],[0,2]]}"#;
 const POINTS: &str = "id,x,y\n1,0,0\n2,1,0.5\n3,9,9\n";
 
+const S: &str = "[[1,0,0],[0,1,0],[0,0,1]]";
+const T: &str = r#"{"center":[4,0,0],"generators":[[1,0,0],[0,1,0],[0,0,1]]}"#;
+const TURN: &str = r#"{"motion":{"axis_point":[0,0,0],"axis":[0,0,1],"angle":3,"translation":[2,0,0]}}"#;
+
 /// Bodies and points under names that tell their format, and under one that does not.
 fn files(folder: &Path) {
     for (name, content) in [("a.json", A), ("b.json", B), ("b.body", B), ("g.csv", "1,0\n0.3,1\n"), ("p.csv", POINTS)] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    for (name, content) in [("s.json", S), ("t.json", T), ("m.json", TURN)] {
         fs::write(folder.join(name), content).expect("written");
     }
 }
@@ -32,10 +39,12 @@ fn change(folder: &Path, change: impl FnOnce(&mut Value)) {
 }
 
 /// The commands about bodies, each with the files that it is given.
-const COMMANDS: [(&[&str], &[&str]); 7] = [
+const COMMANDS: [(&[&str], &[&str]); 9] = [
     (&["intersect", "a.json", "b.json"], &["a.json", "b.json"]),
     (&["distance", "g.csv", "b.json"], &["g.csv", "b.json"]),
     (&["distance", "a.json", "b.body", "--format", "json"], &["a.json", "b.body"]),
+    (&["collide", "s.json", "t.json", "--translation", "-9,0,0"], &["s.json", "t.json"]),
+    (&["collide", "t.json", "s.json", "--motion-b", "m.json", "--resolution", "0.125"], &["t.json", "s.json"]),
     (&["contains", "a.json", "p.csv"], &["a.json", "p.csv"]),
     (&["contains", "b.body", "p.csv", "--body-format", "json", "--columns", "y,x"], &["b.body", "p.csv"]),
     (&["reduce", "a.json", "--count", "2", "--rule", "girard"], &["a.json"]),

@@ -8,11 +8,16 @@ use crate::motion::quaternion::{image, polar_rotation};
 use crate::motion::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::{cyclic_cross_products, dot};
+use crate::numeric::linear::{cross, cyclic_cross_products, dot};
 use crate::zonotope::Zonotope;
 
-/// A linear system for three coefficients, all times a positive number.
+/// A generator joins a basis where it has more room than this, relative to its length: what is less may be rounding.
+const LEAST_ROOM: f64 = 1e-9;
+
+/// A linear system for the coefficients of a basis, all times a positive number.
 struct System<T> {
+    /// The generators of the basis and, where these are fewer than three, vectors orthogonal to them: the coefficients
+    /// of these are 0 where the others solve the system.
     columns: [[T; 3]; 3],
     right: [T; 3],
     /// That number.
@@ -24,7 +29,68 @@ pub(super) fn is_proved(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], witn
     let Some(System { columns: [a, b, c], right, .. }) = system(bodies, arcs, witness) else { return false };
     let cross_products = cyclic_cross_products(&a, &b, &c);
     let determinant = dot(&a, &cross_products[0]).abs();
-    !determinant.is_zero() && cross_products.iter().all(|row| dot(row, &right).abs() <= determinant)
+    let limit = |index: usize| if index < witness.basis.len() { determinant.clone() } else { Dyadic::zero() };
+    let mut rows = cross_products.iter().enumerate();
+    !determinant.is_zero() && rows.all(|(index, row)| dot(row, &right).abs() <= limit(index))
+}
+
+/// The coefficients with those of the basis as they solve the system, rounded to nearest or beside that.
+pub(super) fn with_nearest_basis(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], mut witness: Witness) -> Witness {
+    let Some(System { columns: [a, b, c], right, .. }) = system(bodies, arcs, &witness) else { return witness };
+    let cross_products = cyclic_cross_products(&a, &b, &c);
+    let determinant = dot(&a, &cross_products[0]);
+    if determinant.is_zero() {
+        return witness;
+    }
+    let is_negative = determinant.sign().is_lt();
+    for (row, &index) in cross_products.iter().zip(&witness.basis) {
+        let solved = dot(row, &right).rounded_ratio(&determinant.clone().abs());
+        witness.coefficients[index] = if is_negative { -solved } else { solved }.clamp(-1.0, 1.0);
+    }
+    witness
+}
+
+/// The same coefficients with a basis of three, to which generators are added that have room to either side and lead
+/// away from those that are there; `None` where there are none.
+pub(super) fn completed(bodies: [&Zonotope<3>; 2], arcs: [&Arc<f64>; 2], mut witness: Witness) -> Option<Witness> {
+    let rotations = arcs.map(|arc| polar_rotation(&arc.turns[0], &arc.turns[0]));
+    let placed = |(body, own): (usize, usize)| image(&rotations[body], &bodies[body].generators()[own]);
+    let generators: Vec<[f64; 3]> = [0, 1]
+        .into_iter()
+        .flat_map(|body| (0..bodies[body].generators().len()).map(move |own| (body, own)))
+        .map(placed)
+        .collect();
+    let mut span: Vec<[f64; 3]> = Vec::new();
+    // Gram and Schmidt: unit vectors that span what the basis does
+    let rest = |span: &[[f64; 3]], v: &[f64; 3]| {
+        span.iter().fold(*v, |rest, unit| {
+            let along = dot(unit, &rest);
+            [0, 1, 2].map(|k| rest[k] - along * unit[k])
+        })
+    };
+    let add = |span: &mut Vec<[f64; 3]>, v: &[f64; 3]| {
+        let off = rest(span, v);
+        let length = dot(&off, &off).sqrt();
+        span.push(off.map(|c| c / length));
+    };
+    for &index in &witness.basis {
+        add(&mut span, &generators[index]);
+    }
+    while witness.basis.len() < 3 {
+        let room = |index: usize| {
+            let off = rest(&span, &generators[index]);
+            (1.0 - witness.coefficients[index].abs()) * dot(&off, &off).sqrt()
+        };
+        let best = (0..generators.len()).max_by(|&i, &j| room(i).total_cmp(&room(j)))?;
+        let size = dot(&generators[best], &generators[best]).sqrt();
+        if !(room(best) > LEAST_ROOM * size) {
+            return None;
+        }
+        add(&mut span, &generators[best]);
+        witness.basis.push(best);
+    }
+    witness.basis.sort_unstable();
+    Some(witness)
 }
 
 /// Whether they prove it with room to spare in doubles, for placements of which the angles are off by at most so much
@@ -36,6 +102,9 @@ pub(super) fn is_certain(
     angles_off: [f64; 2],
     margin: f64,
 ) -> bool {
+    if witness.basis.len() != 3 {
+        return false;
+    }
     let Some(System { mut columns, mut right, scale }) = system(bodies, arcs, witness) else { return false };
     let first = bodies[0].generators().len();
     for (column, &index) in columns.iter_mut().zip(&witness.basis) {
@@ -52,9 +121,12 @@ pub(super) fn is_certain(
 }
 
 /// The system of the basis: its generators as they are placed, and what the other coefficients leave of the path from
-/// one centre to the other. `None` where the basis is not of three.
+/// one centre to the other. `None` where the basis has more than three.
 fn system<T: Scalar>(bodies: [&Zonotope<3>; 2], arcs: [&Arc<T>; 2], witness: &Witness) -> Option<System<T>> {
-    let basis: [usize; 3] = witness.basis.as_slice().try_into().ok()?;
+    let basis = &witness.basis;
+    if basis.len() > 3 {
+        return None;
+    }
     let [a, b] = arcs;
     let squares = arcs.map(|arc| dot(&arc.turns[0], &arc.turns[0]));
     let rotations = arcs.map(|arc| polar_rotation(&arc.turns[0], &arc.turns[0]));
@@ -73,10 +145,11 @@ fn system<T: Scalar>(bodies: [&Zonotope<3>; 2], arcs: [&Arc<T>; 2], witness: &Wi
         }
     }
     let placed = |body: usize, v: &[T; 3]| multiple(&factors[body], &image(&rotations[body], v));
-    let columns = basis.map(|index| {
+    let column = |&index: &usize| {
         let (body, own) = if index < first { (0, index) } else { (1, index - first) };
         placed(body, &bodies[body].generators()[own].map(T::of))
-    });
+    };
+    let columns = filled_up(basis.iter().map(column).collect());
     // the arms are times their own weight already
     let arm = |body: usize, other: &T| {
         let arm = arcs[body].arm_of(&bodies[body].center());
@@ -88,4 +161,26 @@ fn system<T: Scalar>(bodies: [&Zonotope<3>; 2], arcs: [&Arc<T>; 2], witness: &Wi
     let [own, others] = [placed(0, &sums[0]), placed(1, &sums[1])];
     let right = std::array::from_fn(|k| path[k].plus(&to[k]).minus(&from[k]).minus(&own[k]).minus(&others[k]));
     Some(System { columns, right, scale })
+}
+
+/// Up to three vectors, followed by vectors orthogonal to those before them: three in all.
+fn filled_up<T: Scalar>(columns: Vec<[T; 3]>) -> [[T; 3]; 3] {
+    let axes = [0, 1, 2].map(|axis| [0, 1, 2].map(|k| if k == axis { T::ONE } else { T::ZERO }));
+    let mut columns = columns.into_iter();
+    match [columns.next(), columns.next(), columns.next()] {
+        [Some(a), Some(b), Some(c)] => [a, b, c],
+        [Some(a), Some(b), _] => {
+            let normal = cross(&a, &b);
+            [a, b, normal]
+        }
+        [Some(a), ..] => {
+            // an axis that the vector is not parallel to
+            let is_along = |axis: &[T; 3]| cross(&a, axis).iter().all(|c| !c.magnitude().is_certainly_positive());
+            let axis = axes.iter().find(|axis| !is_along(axis)).unwrap_or(&axes[0]);
+            let normal = cross(&a, axis);
+            let other = cross(&a, &normal);
+            [a, normal, other]
+        }
+        _ => axes,
+    }
 }

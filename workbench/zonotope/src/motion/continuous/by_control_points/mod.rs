@@ -85,6 +85,9 @@ pub const GRAZING_DISTANCE: f64 = 1.0 / (1u64 << 36) as f64;
 /// The resolution of a contact where none is asked for.
 pub const DEFAULT_RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
+/// The finest resolution: times from 0 to 1 that are so far apart are doubles, and so is what lies half-way.
+pub const FINEST_RESOLUTION: f64 = 1.0 / (1u64 << 50) as f64;
+
 /// The number of stretches that are looked at.
 pub const STRETCH_LIMIT: usize = 1 << 14;
 
@@ -94,7 +97,7 @@ pub fn first_contact(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2]) -> FirstC
     first_contact_within(bodies, motions, DEFAULT_RESOLUTION)
 }
 
-/// The same with another resolution, at least [`SHORTEST_STRETCH`].
+/// The same with another resolution, at least [`FINEST_RESOLUTION`].
 pub fn first_contact_within(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], resolution: f64) -> FirstContact {
     first_contact_counted(bodies, motions, resolution, &mut ())
 }
@@ -106,7 +109,7 @@ pub fn first_contact_counted(
     resolution: f64,
     tally: &mut dyn Tally,
 ) -> FirstContact {
-    let resolution = resolution.max(SHORTEST_STRETCH);
+    let resolution = resolution.max(FINEST_RESOLUTION);
     ordinary_sizes::first_contact(bodies, motions, |scene| {
         Search { scene, resolution, free: Vec::new(), open: Vec::new(), tally }.first_contact()
     })
@@ -298,6 +301,13 @@ impl Search<'_, '_> {
     fn is_grazing(&mut self, time: f64) -> bool {
         let size: f64 = self.scene.bodies.iter().map(|body| body.magnitude()).sum();
         self.scene.distance_at_most(time, self.tally) <= GRAZING_DISTANCE * size
+    }
+
+    /// The answer where the bodies meet at the second time.
+    fn contact(self, time: [f64; 2], witness: Witness) -> FirstContact {
+        let arcs = self.motions.map(|motion| motion.exact_arc([time[1]; 2]));
+        let witness = meeting::with_nearest_basis(self.bodies, arcs.each_ref(), witness);
+        FirstContact::Contact { free: self.free, time, witness }
     }
 
     /// The answer where a stretch is not decided.

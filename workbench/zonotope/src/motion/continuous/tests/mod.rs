@@ -124,3 +124,43 @@ fn a_link_that_passes_a_box_is_proved_by_few_directions() {
     let directions = found.free().iter().map(|stretch| &stretch.direction);
     assert!(directions.clone().count() < 100 && directions.clone().any(|d| matches!(d, SeparatingDirection::Space(_))));
 }
+
+#[test]
+fn bodies_that_meet_in_a_flat_or_degenerate_way_have_a_proof() {
+    let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+    let plate = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
+    let point = Zonotope::new([0.0; 3], Vec::new()).expect("finite");
+    let away = Motion::translation([9.0, 0.0, 0.0]).expect("finite");
+    let turning = Motion::constant_rate([0.0; 3], [1.0, 2.0, 3.0], 2.0, [0.0; 3]).expect("an axis");
+    for (a, b, motion) in
+        [(&cube, &cube, &away), (&cube, &cube, &turning), (&plate, &plate, &away), (&point, &point, &away)]
+    {
+        let found = first_contact([a, b], [motion, &Motion::rest()]);
+        assert!(matches!(found, FirstContact::Contact { time: [0.0, 0.0], .. }), "{found:?}");
+    }
+}
+
+#[test]
+fn the_basis_of_a_contact_solves_the_exact_system() {
+    let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+    let other = cube.translated([5.0, 0.3, 0.1]).expect("finite");
+    let parts = [MotionPiece {
+        until: 1.0,
+        from: [1.0, 0.0, 0.0, 0.0],
+        to: [3.0, 1.0, -1.0, 2.0],
+        axis_point: [0.1, 0.2, 0.3],
+        translation: [5.0, 0.0, 0.0],
+    }];
+    let motion = Motion::from_pieces(&parts).expect("a motion");
+    let found = first_contact([&cube, &other], [&motion, &Motion::rest()]);
+    let FirstContact::Contact { time, witness, .. } = &found else { panic!("{found:?}") };
+    let exact = |value: f64| crate::numeric::dyadic::Dyadic::from_f64(value).to_rational();
+    let placement = Placement::at(&parts, 0, &exact(time[1]));
+    let rest = [0, 1, 2].map(|k| {
+        let own = (0..3).map(|i| exact(witness.coefficients[i]) * &placement.turned(cube.generators()[i])[k]);
+        let others = (0..3).map(|i| exact(witness.coefficients[3 + i]) * exact(other.generators()[i][k]));
+        let sum = own.chain(others).fold(Rational::ZERO, |sum, term| sum + term);
+        (exact(other.center()[k]) - &placement.of(cube.center())[k] - sum).to_f64().value()
+    });
+    assert!(rest.iter().all(|c| c.abs() < 1e-15), "{rest:?}");
+}

@@ -1,0 +1,89 @@
+//! `collide`: whether two moving zonotopes of space meet during a step of time, and when first.
+
+use serde_json::{Value, json};
+use zonotope::collision::Witness;
+use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION, first_contact_within};
+use zonotope::motion::continuous::{FirstContact, FreeStretch, SeparatingDirection};
+
+use super::claimed_contact::check;
+use super::stated::motion;
+use crate::fields::Fields;
+use crate::json::{to_json, vector_to_json};
+use crate::kinds::{BODY, Kind, PLACED, Solution};
+use crate::refusal::{Code, Refusal};
+
+pub(in crate::kinds) const KIND: Kind = Kind {
+    name: "collide",
+    summary: "when two moving zonotopes of space meet first, or that they do not",
+    fields: &["a", "b", "motion"],
+    optional: &["resolution"],
+    methods: || vec![BY_CONTROL_POINTS],
+    solve,
+    check,
+};
+
+const BY_CONTROL_POINTS: &str = "by_control_points";
+
+/// The most generators of both bodies: each stretch of time takes some passes over them.
+const GENERATOR_LIMIT: usize = 200_000;
+
+fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
+    let [a, b] = [bodies[0].image::<3>()?, bodies[1].image::<3>()?];
+    let motions = fields.object("motion", &[], &["a", "b"])?;
+    let [of_a, of_b] = [motion(&motions, "a")?, motion(&motions, "b")?];
+    let resolution = resolution(fields)?;
+    let generators = a.generators().len() + b.generators().len();
+    if generators > GENERATOR_LIMIT {
+        let message = format!("{generators} generators, at most {GENERATOR_LIMIT} of both bodies are taken");
+        return Err(Refusal::new(Code::TooLarge, message));
+    }
+    let found = first_contact_within([&a, &b], [&of_a, &of_b], resolution);
+    Ok(Solution { method: BY_CONTROL_POINTS, result: result(&found) })
+}
+
+fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
+    if !fields.has("resolution") {
+        return Ok(DEFAULT_RESOLUTION);
+    }
+    let resolution = fields.number("resolution")?;
+    if (FINEST_RESOLUTION..1.0).contains(&resolution) {
+        return Ok(resolution);
+    }
+    let message = format!("resolution is {resolution:?}, not from {FINEST_RESOLUTION:?} to below 1");
+    Err(Refusal::new(Code::BadEpsilon, message))
+}
+
+fn result(found: &FirstContact) -> Value {
+    let mut result = json!({"status": found.name()});
+    let mut certificate = json!({"intervals": found.free().iter().map(interval).collect::<Vec<_>>()});
+    match found {
+        FirstContact::Separate { .. } => {}
+        FirstContact::Contact { time, witness: Witness { coefficients, basis }, .. } => {
+            result["time"] = vector_to_json(time);
+            certificate["coefficients"] = vector_to_json(coefficients);
+            certificate["basis"] = json!(basis);
+        }
+        FirstContact::Grazing { time, distance_at_most, .. } => {
+            result["time"] = vector_to_json(time);
+            result["distance_at_most"] = to_json(*distance_at_most);
+        }
+    }
+    result["certificate"] = certificate;
+    result
+}
+
+fn interval(stretch: &FreeStretch) -> Value {
+    let (frame, direction) = match &stretch.direction {
+        SeparatingDirection::Space(u) => ("space", vector_to_json(u)),
+        SeparatingDirection::First(u) => ("a", vector_to_json(u)),
+        SeparatingDirection::Second(u) => ("b", vector_to_json(u)),
+        SeparatingDirection::Edges(edges) => ("edges", edges.iter().map(|edge| vector_to_json(edge)).collect()),
+    };
+    json!({
+        "from": to_json(stretch.from),
+        "to": to_json(stretch.until),
+        "frame": frame,
+        "direction": direction,
+    })
+}

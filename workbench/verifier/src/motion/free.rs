@@ -1,0 +1,98 @@
+//! An interval in which a direction separates two moving bodies at every time.
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+use super::answer::FreeInterval;
+use super::gap::{Direction, Solid, gap};
+use super::path::Path;
+use crate::exact::grid::Grid;
+use crate::verdict::Stop;
+
+/// An interval is bisected so many times: to 2^-12 of its length.
+const MOST_BISECTIONS: usize = 12;
+
+/// The work on all intervals of an answer: a generator along a direction is one, and more where numbers are long.
+pub(super) const MOST_WORK: u64 = 20_000_000;
+
+/// The number of bits of a generator's product that make it take as long again.
+const BITS_A_STEP: usize = 512;
+
+/// The note where that work is used up.
+const TOO_MUCH: &str = "the gaps of the intervals take too much exact work";
+
+/// Two moving bodies.
+pub(super) struct Pair {
+    pub(super) solids: [Solid; 2],
+    pub(super) paths: [Path; 2],
+    /// The exponent of the unit of lengths.
+    pub(super) exponent: i32,
+}
+
+/// A part of an interval that is to be proved: two times in units of 2^-places.
+struct Part {
+    from: IBig,
+    to: IBig,
+    bisections: usize,
+}
+
+impl Pair {
+    /// Proves that the bodies are disjoint in an interval. The work that is done is taken from `work`.
+    pub(super) fn prove_free(&self, interval: &FreeInterval, work: &mut u64) -> Result<(), Stop> {
+        let FreeInterval { from, to, .. } = *interval;
+        let direction = Direction::of(&interval.direction);
+        let breaks: Vec<f64> = self.paths.iter().flat_map(Path::breaks).collect();
+        let times = || breaks.iter().copied().chain([from, to, 1.0]);
+        let exponent = Grid::of(times()).exponent().min(0) - MOST_BISECTIONS as i32;
+        let (grid, places) = (Grid::at(exponent), exponent.unsigned_abs() as usize);
+        let mut ends: Vec<f64> = times().filter(|time| (from..=to).contains(time)).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let whole = |pair: &[f64]| Part { from: grid.units(pair[0]), to: grid.units(pair[1]), bisections: 0 };
+        let mut open: Vec<Part> = ends.windows(2).map(whole).collect();
+        while let Some(part) = open.pop() {
+            if self.is_free([&part.from, &part.to], places, &direction, interval, work)? {
+                continue;
+            }
+            if part.bisections == MOST_BISECTIONS {
+                return Err(unproved(interval).into());
+            }
+            let (middle, bisections) = ((&part.from + &part.to) >> 1_usize, part.bisections + 1);
+            open.push(Part { from: middle.clone(), to: part.to, bisections });
+            open.push(Part { from: part.from, to: middle, bisections });
+        }
+        Ok(())
+    }
+
+    /// Whether a part is free by its coefficients; an error where there is no gap at one of its ends.
+    fn is_free(
+        &self,
+        times: [&IBig; 2],
+        places: usize,
+        direction: &Direction,
+        interval: &FreeInterval,
+        work: &mut u64,
+    ) -> Result<bool, Stop> {
+        if self.paths.iter().any(|path| !path.is_one_stretch(times, places)) {
+            return Ok(false);
+        }
+        let [a, b] = self.paths.each_ref().map(|path| path.stretches(times, places));
+        let ([a], [b]) = (&a[..], &b[..]) else {
+            return Err("an interval lies in no piece of a motion".into());
+        };
+        let bits = [a, b].map(|stretch| stretch.turns.iter().flatten().map(IBig::bit_len).max().unwrap_or(0));
+        let generators = self.solids.iter().map(|solid| solid.generators.len() as u64).sum::<u64>();
+        let step = 1 + (2 * (bits[0] + bits[1]) / BITS_A_STEP) as u64;
+        let cost = (generators + 16) * direction.cost() * step * step;
+        *work = work.checked_sub(cost).ok_or_else(|| Stop::Unchecked(TOO_MUCH.to_owned()))?;
+        let gap = gap(self.solids.each_ref(), [a, b], direction);
+        if !gap.is_open_at_the_ends() {
+            return Err(unproved(interval).into());
+        }
+        Ok(gap.is_positive())
+    }
+}
+
+fn unproved(FreeInterval { from, to, .. }: &FreeInterval) -> String {
+    format!("certificate: the direction does not separate the bodies at every time from {from:?} to {to:?}")
+}

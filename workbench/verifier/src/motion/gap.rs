@@ -1,0 +1,196 @@
+//! The gap between two moving bodies along a direction, bounded from below by a polynomial in the time of a stretch.
+//!
+//! Let d = |q|² for each body, a polynomial that is positive: times d_a d_b and both weights, the gap
+//! u · (c_b − c_a) − Σ |u · g| is a polynomial but for the magnitudes, and |Σ x_k B_k| ≤ Σ |x_k| B_k for Bernstein
+//! polynomials B_k ≥ 0. With R = R_aᵀ R_b, which d_a d_b makes a polynomial of degree four,
+//!
+//! | frame | u | u · R_a v | u · R_b v |
+//! | --- | --- | --- | --- |
+//! | space | u | v · R_aᵀ u | v · R_bᵀ u |
+//! | a | R_a u | v · u | v · Rᵀ u |
+//! | b | R_b u | v · R u | v · u |
+//! | edges | R_a e × R_b f | v · (e × R f) | v · (Rᵀ e × f) |
+//!
+//! The placements of a stretch may be off the motion: no point by more than the angle times its distance from the axis.
+//! So bodies that have a larger gap as they are placed are disjoint where the motion puts them.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::answer::MovingDirection;
+use super::path::Stretch;
+use super::polynomial::{self, Polynomial, combined, product};
+use super::quaternion::{
+    Matrix, Quaternion, Vector, conjugate, cross, difference, dot, image, mixed_rotation, multiple, sum,
+    transposed_image,
+};
+use super::root::{ROOT_PLACES, root_above};
+use super::turning::ANGLE_PLACES;
+use crate::exact::grid::Grid;
+
+/// A body in units of lengths.
+#[derive(Debug, Clone)]
+pub(super) struct Solid {
+    pub(super) center: Vector,
+    pub(super) generators: Vec<Vector>,
+    /// A bound of the distances of its points from the axis, in units of 2^-32.
+    pub(super) reach: IBig,
+}
+
+/// A direction in whole numbers.
+pub(super) enum Direction {
+    Space(Vector),
+    A(Vector),
+    B(Vector),
+    Edges(Vector, Vector),
+}
+
+impl Direction {
+    pub(super) fn of(direction: &MovingDirection) -> Self {
+        let whole = |v: &[f64; 3]| {
+            let grid = Grid::of(*v);
+            v.map(|c| grid.units(c))
+        };
+        match direction {
+            MovingDirection::Space(u) => Self::Space(whole(u)),
+            MovingDirection::A(u) => Self::A(whole(u)),
+            MovingDirection::B(u) => Self::B(whole(u)),
+            MovingDirection::Edges([e, f]) => Self::Edges(whole(e), whole(f)),
+        }
+    }
+
+    /// A bound of its length, in units of 2^-64.
+    fn length(&self) -> IBig {
+        let length = |v: &Vector| root_above(&dot(v, v));
+        match self {
+            Self::Space(u) | Self::A(u) | Self::B(u) => length(u) << ROOT_PLACES,
+            Self::Edges(e, f) => length(e) * length(f),
+        }
+    }
+
+    /// The number of directions along which generators are measured.
+    pub(super) fn cost(&self) -> u64 {
+        if let Self::Space(_) = self { 6 } else { 10 }
+    }
+}
+
+/// The gap along a direction during a stretch, times a positive polynomial.
+pub(super) struct Gap {
+    /// A bound from below as the bodies are placed; at the ends of the stretch it is the gap.
+    placed: Polynomial,
+    /// The positive polynomial.
+    scale: Polynomial,
+    /// The most that the gap may be less where the motion puts the bodies, in units of 2^-[`MARGIN_PLACES`].
+    margin: IBig,
+}
+
+/// The places after the point of a margin: those of the angle, the reach and the length of the direction.
+const MARGIN_PLACES: usize = ANGLE_PLACES + 3 * ROOT_PLACES;
+
+impl Gap {
+    /// Whether the bodies are shown to be disjoint during the stretch.
+    pub(super) fn is_positive(&self) -> bool {
+        if self.margin == IBig::ZERO {
+            return polynomial::is_positive(&self.placed);
+        }
+        let fine: Polynomial = self.placed.iter().map(|c| c << MARGIN_PLACES).collect();
+        let margin: Polynomial = self.scale.iter().map(|c| -(c * &self.margin)).collect();
+        polynomial::is_positive(&polynomial::sum(&[fine, margin]))
+    }
+
+    /// Whether there is a gap at both ends, as the bodies are placed.
+    pub(super) fn is_open_at_the_ends(&self) -> bool {
+        [self.placed.first(), self.placed.last()].iter().all(|end| end.is_some_and(|c| *c > IBig::ZERO))
+    }
+}
+
+/// Polynomials in which a body sees a direction, and by what they are multiplied.
+struct Seen {
+    directions: Vec<Vector>,
+    cofactor: Polynomial,
+}
+
+impl Seen {
+    /// The sum over the coefficients: `along` of each direction, times the cofactor.
+    fn measured(&self, along: impl Fn(&Vector) -> IBig) -> Polynomial {
+        let values: Polynomial = self.directions.iter().map(along).collect();
+        product(&values, &self.cofactor)
+    }
+}
+
+/// The bound from above of how far points of both bodies together are off their places, in units of 2^-128.
+pub(super) fn displacement([first, second]: [&Solid; 2], [a, b]: [&Stretch; 2]) -> IBig {
+    &first.reach * &a.angle_off + &second.reach * &b.angle_off
+}
+
+/// The gap along a direction during a stretch.
+pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction) -> Gap {
+    let [a, b] = stretches;
+    let squares = stretches.map(|stretch| combined(&stretch.turns, &stretch.turns, IBig::ZERO, dot, |a, b| a + b));
+    let both = product(&squares[0], &squares[1]);
+    let [own, seen_by_a, seen_by_b] = seen(stretches, &squares, &both, direction);
+    let path: Vec<Vector> = match (&a.base, &b.base) {
+        ([p, _], [q, _]) if a.base[0] == a.base[1] && b.base[0] == b.base[1] => vec![(p, q)],
+        ([p, r], [q, s]) => vec![(p, q), (r, s)],
+    }
+    .into_iter()
+    .map(|(from, to)| difference(&multiple(&a.weight, to), &multiple(&b.weight, from)))
+    .collect();
+    let bases = product(&polynomial::dot(&own.directions, &path), &own.cofactor);
+    let arms = [0, 1].map(|i| sum(&multiple(&stretches[i].weight, &bodies[i].center), &stretches[i].arm));
+    let reach = |i: usize, u: &Vector| bodies[i].generators.iter().map(|g| dot(u, g).abs()).sum::<IBig>();
+    let of_a = seen_by_a.measured(|u| -(&b.weight * (dot(u, &arms[0]) + &a.weight * reach(0, u))));
+    let of_b = seen_by_b.measured(|u| &a.weight * (dot(u, &arms[1]) - &b.weight * reach(1, u)));
+    let weight = &a.weight * &b.weight;
+    Gap {
+        placed: polynomial::sum(&[bases, of_a, of_b]),
+        scale: both.iter().map(|c| c * &weight).collect(),
+        margin: displacement(bodies, stretches) * direction.length(),
+    }
+}
+
+/// The direction in space, and as each body sees it.
+fn seen(stretches: [&Stretch; 2], squares: &[Polynomial; 2], both: &Polynomial, direction: &Direction) -> [Seen; 3] {
+    let one = || vec![IBig::ONE];
+    let with = |directions: Vec<Vector>, cofactor: Polynomial| Seen { directions, cofactor };
+    let each = |matrices: &[Matrix], see: &dyn Fn(&Matrix) -> Vector| matrices.iter().map(see).collect::<Vec<_>>();
+    let turned = |i: usize| rotations(&stretches[i].turns);
+    match direction {
+        Direction::Space(u) => {
+            let [in_a, in_b] = [0, 1].map(|i| each(&turned(i), &|m| transposed_image(m, u)));
+            [with(vec![u.clone()], both.clone()), with(in_a, squares[1].clone()), with(in_b, squares[0].clone())]
+        }
+        Direction::A(u) => {
+            let in_b = each(&relative(stretches), &|m| transposed_image(m, u));
+            let in_space = each(&turned(0), &|m| image(m, u));
+            [with(in_space, squares[1].clone()), with(vec![u.clone()], both.clone()), with(in_b, one())]
+        }
+        Direction::B(u) => {
+            let in_a = each(&relative(stretches), &|m| image(m, u));
+            let in_space = each(&turned(1), &|m| image(m, u));
+            [with(in_space, squares[0].clone()), with(in_a, one()), with(vec![u.clone()], both.clone())]
+        }
+        Direction::Edges(e, f) => {
+            let relative = relative(stretches);
+            let in_a = each(&relative, &|m| cross(e, &image(m, f)));
+            let in_b = each(&relative, &|m| cross(&transposed_image(m, e), f));
+            let edges = [each(&turned(0), &|m| image(m, e)), each(&turned(1), &|m| image(m, f))];
+            let zero = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+            let in_space = combined(&edges[0], &edges[1], zero, cross, sum);
+            [with(in_space, one()), with(in_a, one()), with(in_b, one())]
+        }
+    }
+}
+
+/// |q|² R(q) of a quaternion whose coordinates are polynomials.
+fn rotations(turns: &[Quaternion]) -> Vec<Matrix> {
+    let zero: Matrix = std::array::from_fn(|_| std::array::from_fn(|_| IBig::ZERO));
+    combined(turns, turns, zero, mixed_rotation, |a, b| std::array::from_fn(|i| sum(&a[i], &b[i])))
+}
+
+/// d_a d_b R_aᵀ R_b: the rotation of q̄_a q_b.
+fn relative([a, b]: [&Stretch; 2]) -> Vec<Matrix> {
+    let back: Vec<Quaternion> = a.turns.iter().map(conjugate).collect();
+    let zero: Quaternion = std::array::from_fn(|_| IBig::ZERO);
+    rotations(&combined(&back, &b.turns, zero, super::quaternion::product, sum))
+}

@@ -1,0 +1,202 @@
+//! Two moving bodies at one time: a common point by its coefficients, or two points near each other.
+//!
+//! **Placements that are off.** Let C x = r be the system of three basis generators as they are placed, and (C + E) x' =
+//! r + f that of the motion. With ε = |C⁻¹ E| < 1 and φ = |C⁻¹ f| in the norm of the largest component, C + E is regular
+//! and |x' − x| ≤ (φ + ε |x|) / (1 − ε). The rows of C⁻¹ are cross products of the columns over the determinant.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::free::Pair;
+use super::gap::displacement;
+use super::path::Stretch;
+use super::quaternion::{Matrix, Vector, cross, dot, image, mixed_rotation, multiple, sum};
+use super::root::{ROOT_PLACES, quotient_above, root_above};
+use super::turning::ANGLE_PLACES;
+use crate::collision::displaced::Displaced;
+use crate::collision::location::{LocationCertificate, certified_coefficients, proven};
+use crate::exact::grid::Grid;
+use crate::exact::proportion::Proportion;
+use crate::reduction::nearest_point::{Reach, reach};
+use crate::verdict::Stop;
+
+/// The work on the nearest points of two bodies.
+const MOST_WORK: u64 = 200_000;
+
+/// The coefficient of a basis generator is written within this of the one that solves the system as the bodies are
+/// placed, where placements are enclosed.
+const WRITTEN_WITHIN: f64 = 1.0 / (1 << 20) as f64;
+
+/// Both bodies at one time.
+struct Placed {
+    /// The vector from one centre to the other, and all generators, times `scale`.
+    question: Displaced,
+    /// A positive number of units of lengths.
+    scale: IBig,
+    /// For each body, a bound of the angle by which it is off, in units of 2^-96.
+    angles_off: [IBig; 2],
+    /// A bound of how far points of both together are off, in units of 2^-128 of those of lengths.
+    off: IBig,
+    /// The number of generators of the first body.
+    first: usize,
+}
+
+impl Pair {
+    /// The bodies as they are placed at a time: more than once where a piece of a motion ends and another begins.
+    fn placed_at(&self, time: f64) -> Vec<Placed> {
+        let exponent = self.paths.iter().flat_map(|path| path.breaks()).chain([time, 1.0]);
+        let exponent = Grid::of(exponent).exponent().min(0);
+        let (time, places) = (Grid::at(exponent).units(time), exponent.unsigned_abs() as usize);
+        let [a, b] = self.paths.each_ref().map(|path| path.stretches([&time, &time], places));
+        let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
+        pairs.map(|stretches| self.placed(stretches)).collect()
+    }
+
+    fn placed(&self, stretches: [&Stretch; 2]) -> Placed {
+        let rotations: [Matrix; 2] = stretches.map(|stretch| mixed_rotation(&stretch.turns[0], &stretch.turns[0]));
+        let squares = stretches.map(|stretch| dot(&stretch.turns[0], &stretch.turns[0]));
+        let [p, q] = stretches.map(|stretch| &stretch.weight);
+        let weight = p * q;
+        let place = |i: usize| {
+            let (solid, stretch) = (&self.solids[i], stretches[i]);
+            let arm = sum(&multiple(&stretch.weight, &solid.center), &stretch.arm);
+            let center = sum(&multiple(&squares[i], &stretch.base[0]), &image(&rotations[i], &arm));
+            let other = &squares[1 - i] * [q, p][i];
+            let factor = &squares[1 - i] * &weight;
+            let generators = solid.generators.iter().map(|g| multiple(&factor, &image(&rotations[i], g)).to_vec());
+            (multiple(&other, &center).to_vec(), generators.collect::<Vec<_>>())
+        };
+        let ((from, a), (to, b)) = (place(0), place(1));
+        Placed {
+            question: Displaced::of_vectors(from, to, [a, b].concat(), self.exponent),
+            scale: &squares[0] * &squares[1] * weight,
+            angles_off: stretches.map(|stretch| stretch.angle_off.clone()),
+            off: displacement(self.solids.each_ref(), stretches),
+            first: self.solids[0].generators.len(),
+        }
+    }
+
+    /// Proves that the bodies have a common point at a time.
+    pub(super) fn prove_contact(&self, time: f64, coefficients: &[f64], basis: &[usize]) -> Result<(), Stop> {
+        let mut complaint = "a motion has no placement at the time of the contact".to_owned();
+        for placed in self.placed_at(time) {
+            match placed.prove_contact(coefficients, basis) {
+                Ok(()) => return Ok(()),
+                Err(reason) => complaint = reason,
+            }
+        }
+        Err(complaint.into())
+    }
+
+    /// Proves that two points of the bodies are within a distance at a time.
+    pub(super) fn prove_near(&self, time: f64, distance: f64) -> Result<(), Stop> {
+        if distance == f64::INFINITY {
+            return Ok(());
+        }
+        let mut is_open = false;
+        for placed in self.placed_at(time) {
+            match placed.reach(distance, self.exponent) {
+                Reach::Near => return Ok(()),
+                Reach::Open => is_open = true,
+                Reach::Far => {}
+            }
+        }
+        if is_open {
+            return Err(too_much_for_points());
+        }
+        Err(format!("`distance_at_most` is {distance:?}, but no two points are so near at the time {time:?}").into())
+    }
+}
+
+/// The note where the nearest points are not found, or placements are not enclosed narrowly enough.
+fn too_much_for_points() -> Stop {
+    let reason = "whether two points are within `distance_at_most` takes too much exact work, or lies within what \
+                  encloses the placements";
+    Stop::Unchecked(reason.to_owned())
+}
+
+impl Placed {
+    fn is_exact(&self) -> bool {
+        self.angles_off.iter().all(|off| *off == IBig::ZERO)
+    }
+
+    fn prove_contact(&self, coefficients: &[f64], basis: &[usize]) -> Result<(), String> {
+        if self.is_exact() {
+            let certificate =
+                LocationCertificate::Witness { coefficients: coefficients.to_vec(), basis: basis.to_vec() };
+            return proven(&self.question, &certificate).map(drop);
+        }
+        let certified = certified_coefficients(&self.question, coefficients, basis)?;
+        let vector = |v: &[IBig]| <Vector>::try_from(v.to_vec()).map_err(|_| "a vector is not of space".to_owned());
+        let &[i, j, k] = basis else {
+            return Err(format!("certificate: a basis of {} generators, where a motion is enclosed", basis.len()));
+        };
+        let columns = [i, j, k].map(|index| vector(&self.question.generators[index]));
+        let [Ok(a), Ok(b), Ok(c)] = columns else { return Err("a generator is not of space".to_owned()) };
+        let rest = vector(&certified.rest)?;
+        let rows = [cross(&b, &c), cross(&c, &a), cross(&a, &b)];
+        let determinant = dot(&a, &rows[0]);
+        let size = determinant.clone().abs();
+        // |E| over all columns and |f|, rounded up to units of lengths times the scale.
+        let turned = |(index, column): (usize, &Vector)| {
+            let angle = &self.angles_off[usize::from(index >= self.first)];
+            quotient_above(&(root_above(&dot(column, column)) * angle), &(IBig::ONE << (ROOT_PLACES + ANGLE_PLACES)))
+        };
+        let columns_off: IBig = [(i, &a), (j, &b), (k, &c)].into_iter().map(turned).sum();
+        let rest_off = quotient_above(&(&self.off * &self.scale), &(IBig::ONE << (ROOT_PLACES + ANGLE_PLACES)));
+        for (row, index) in rows.iter().zip([i, j, k]) {
+            let length = quotient_above(&root_above(&dot(row, row)), &(IBig::ONE << ROOT_PLACES));
+            let (epsilon, phi) = (&length * &columns_off, length * &rest_off);
+            // Over the determinant, and the rest of the coefficients over `one`.
+            let solved = dot(row, &rest);
+            let left = &size - &epsilon;
+            let is_within = left > IBig::ZERO
+                && solved.clone().abs() * &left + (epsilon + phi) * &size * &certified.one
+                    <= &left * &size * &certified.one;
+            if !is_within || determinant == IBig::ZERO {
+                return Err(format!(
+                    "certificate: the coefficient of basis generator {index} is not strictly in [-1, 1], whatever the \
+                     enclosed placements are"
+                ));
+            }
+            let exact = Proportion::new(solved, &determinant * &certified.one, 0);
+            let written = coefficients[index];
+            let is_written = (-1.0..=1.0).contains(&written)
+                && exact
+                    .minus(&Proportion::of_double(written))
+                    .magnitude()
+                    .compare(&Proportion::of_double(WRITTEN_WITHIN))
+                    .is_le();
+            if !is_written {
+                let nearest = exact.nearest();
+                return Err(format!(
+                    "certificate: coefficient {index}, of the basis, is {written:?}, but the others imply {nearest:?}"
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether two points are within a distance, as the motions put them: open where that depends on what encloses them.
+    fn reach(&self, distance: f64, exponent: i32) -> Reach {
+        let scaled = |length: &Proportion| length.times(&Proportion::whole(self.scale.clone(), 0));
+        let unit = Proportion::of_double(1.0).over(&Proportion::whole(IBig::ONE, exponent));
+        let (Some(unit), places) = (unit, (ROOT_PLACES + ANGLE_PLACES) as i32) else { return Reach::Open };
+        let asked = Proportion::of_double(distance).times(&unit);
+        let off = Proportion::whole(self.off.clone(), -places);
+        let mut work = MOST_WORK;
+        let nearest = asked.minus(&off);
+        if !nearest.is_negative() {
+            match reach(&self.question.p, &self.question.generators, &scaled(&nearest), &mut work) {
+                Reach::Near => return Reach::Near,
+                Reach::Open => return Reach::Open,
+                Reach::Far if self.is_exact() => return Reach::Far,
+                Reach::Far => {}
+            }
+        }
+        match reach(&self.question.p, &self.question.generators, &scaled(&asked.plus(&off)), &mut work) {
+            Reach::Far => Reach::Far,
+            Reach::Near | Reach::Open => Reach::Open,
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Bodies in motion: whether two zonotopes of space meet during a step of time, and when first.
+//!
+//! | file | content |
+//! | --- | --- |
+//! | `answer` | the answer as it is written, and what is proved of it |
+//! | `check` | the order of the intervals, and what each status claims |
+//! | `free` | an interval in which a direction separates the bodies, bisected where that is in doubt |
+//! | `gap` | the gap along a direction as a polynomial in the time |
+//! | `meeting` | a common point at one time, or two points near each other |
+//! | `path` | motions, and their stretches between two times |
+//! | `turning` | a rotation at constant rate, enclosed by stretches |
+//! | `sines` | sines and cosines within a stated error |
+//! | `quaternion`, `polynomial`, `root` | what these are made of |
+
+pub(crate) mod answer;
+pub(crate) mod check;
+mod free;
+mod gap;
+mod meeting;
+pub(crate) mod path;
+mod polynomial;
+mod quaternion;
+mod root;
+mod sines;
+#[cfg(test)]
+mod tests;
+mod turning;

@@ -1,0 +1,238 @@
+//! Rigid motions as a question states them, and their stretches between two times in whole numbers.
+
+use dashu_int::IBig;
+
+use super::quaternion::{
+    Quaternion, Vector, conjugate, difference, dot, identity, image, mixed_rotation, multiple, product, sum,
+};
+use super::turning::Turning;
+use crate::exact::grid::{Grid, check_finite};
+use crate::exact::linear::reduced;
+
+/// A motion during the time from 0 to 1, as the exact numbers that a question states.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// The body rests.
+    Rest,
+    /// At the time t a point x is at R(t · angle) (x − axis_point) + axis_point + t · translation.
+    ConstantRate {
+        /// A point of the axis.
+        axis_point: [f64; 3],
+        /// The axis, of any length but 0.
+        axis: [f64; 3],
+        /// The angle in radians.
+        angle: f64,
+        /// The translation.
+        translation: [f64; 3],
+    },
+    /// Pieces, each applied after those before it.
+    Pieces(Vec<MotionPiece>),
+}
+
+/// A piece of a motion: x goes to p + R((1 − s) `from` + s `to`) (x − p) + s `translation`, s from 0 to 1 with the time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionPiece {
+    /// The time at which it ends.
+    pub until: f64,
+    /// The quaternion [w, x, y, z] at its begin.
+    pub from: [f64; 4],
+    /// The quaternion at its end, at most half a turn from the other.
+    pub to: [f64; 4],
+    /// The point p of the axis.
+    pub axis_point: [f64; 3],
+    /// The translation at its end.
+    pub translation: [f64; 3],
+}
+
+impl Motion {
+    /// The numbers that are lengths.
+    pub(super) fn lengths(&self) -> Vec<f64> {
+        match self {
+            Self::Rest => Vec::new(),
+            Self::ConstantRate { axis_point, translation, .. } => [*axis_point, *translation].concat(),
+            Self::Pieces(pieces) => {
+                pieces.iter().flat_map(|piece| [piece.axis_point, piece.translation]).flatten().collect()
+            }
+        }
+    }
+
+    /// Refuses numbers that are not finite.
+    pub(super) fn check_finite(&self) -> Result<(), String> {
+        check_finite("a motion", &self.lengths())?;
+        match self {
+            Self::Rest => Ok(()),
+            Self::ConstantRate { axis, angle, .. } => check_finite("a motion", axis.iter().chain([angle])),
+            Self::Pieces(pieces) => {
+                let numbers = |piece: &MotionPiece| [&piece.from[..], &piece.to, &[piece.until]].concat();
+                check_finite("a motion", &pieces.iter().flat_map(numbers).collect::<Vec<_>>())
+            }
+        }
+    }
+}
+
+/// A stretch of a motion: the placements x ↦ (P(s) + R(q(s)) (W x + arm)) / W for s in [0, 1], P and q linear, that are
+/// off the motion by at most an angle about its axis.
+#[derive(Debug, Clone)]
+pub(super) struct Stretch {
+    /// The quaternion at both ends, or one that stays.
+    pub(super) turns: Vec<Quaternion>,
+    /// P at both ends.
+    pub(super) base: [Vector; 2],
+    pub(super) arm: Vector,
+    /// W.
+    pub(super) weight: IBig,
+    /// The bound of the angle, in units of 2^-96.
+    pub(super) angle_off: IBig,
+}
+
+/// A motion in whole numbers.
+#[derive(Debug, Clone)]
+pub(super) enum Path {
+    Turning(Box<Turning>),
+    Pieces(Vec<Piece>),
+}
+
+/// A piece after all that came before it: x ↦ p + s v + R(q(s)) (x + arm / weight).
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    times: [f64; 2],
+    turns: [Quaternion; 2],
+    point: Vector,
+    travel: Vector,
+    arm: Vector,
+    weight: IBig,
+}
+
+impl Path {
+    /// The motion in units of lengths.
+    ///
+    /// # Errors
+    /// A sentence about numbers that are no motion.
+    pub(super) fn of(motion: &Motion, lengths: Grid) -> Result<Self, String> {
+        motion.check_finite()?;
+        let vector = |v: &[f64; 3]| v.map(|c| lengths.units(c));
+        match motion {
+            Motion::Rest => Ok(Self::Pieces(vec![resting()])),
+            Motion::ConstantRate { axis_point, axis, angle, translation } => {
+                Turning::new(vector(axis_point), vector(translation), *axis, *angle)
+                    .map(|turning| Self::Turning(Box::new(turning)))
+                    .ok_or_else(|| "answered a question about a rotation with an axis of zero".to_owned())
+            }
+            Motion::Pieces(pieces) => chained(pieces, vector).map(Self::Pieces),
+        }
+    }
+
+    /// The times at which a stretch must end.
+    pub(super) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
+        let pieces: &[Piece] = if let Self::Pieces(pieces) = self { pieces } else { &[] };
+        pieces.iter().skip(1).map(|piece| piece.times[0])
+    }
+
+    /// Whether the motion between two times, in units of 2^-`places`, that no break lies between is one stretch.
+    pub(super) fn is_one_stretch(&self, times: [&IBig; 2], places: usize) -> bool {
+        match self {
+            Self::Turning(turning) => turning.is_one_stretch(times, places),
+            Self::Pieces(_) => true,
+        }
+    }
+
+    /// The stretches between two times: one, or two where both times are one at which a piece ends and another begins.
+    pub(super) fn stretches(&self, times: [&IBig; 2], places: usize) -> Vec<Stretch> {
+        match self {
+            Self::Turning(turning) => vec![turning.stretch(times, places)],
+            Self::Pieces(pieces) => pieces.iter().filter_map(|piece| piece.stretch(times, places)).collect(),
+        }
+    }
+
+    /// A bound of the distances of a body's points from the axis, in units 2^-32 of those of lengths; 0 where stretches
+    /// are exact.
+    pub(super) fn reach(&self, center: &Vector, generators: &[Vector]) -> IBig {
+        match self {
+            Self::Turning(turning) => turning.reach(center, generators),
+            Self::Pieces(_) => IBig::ZERO,
+        }
+    }
+}
+
+impl Piece {
+    /// The stretch between two times, if the piece holds both.
+    fn stretch(&self, [from, to]: [&IBig; 2], places: usize) -> Option<Stretch> {
+        let exponent = i32::try_from(places).ok()?;
+        let [start, end] = self.times.map(|time| Grid::at(-exponent).units(time));
+        if *from < start || *to > end {
+            return None;
+        }
+        let length = &end - &start;
+        let turned =
+            |time: &IBig| sum(&multiple(&(&end - time), &self.turns[0]), &multiple(&(time - &start), &self.turns[1]));
+        let gone = |time: &IBig| {
+            let path = sum(&multiple(&length, &self.point), &multiple(&(time - &start), &self.travel));
+            multiple(&self.weight, &path)
+        };
+        let turns = if self.turns[0] == self.turns[1] {
+            vec![self.turns[0].clone()]
+        } else if from == to {
+            vec![turned(from)]
+        } else {
+            vec![turned(from), turned(to)]
+        };
+        Some(Stretch {
+            turns,
+            base: [gone(from), gone(to)],
+            arm: multiple(&length, &self.arm),
+            weight: length * &self.weight,
+            angle_off: IBig::ZERO,
+        })
+    }
+}
+
+fn resting() -> Piece {
+    let zero = || [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+    let turns = [identity(), identity()];
+    Piece { times: [0.0, 1.0], turns, point: zero(), travel: zero(), arm: zero(), weight: IBig::ONE }
+}
+
+/// The pieces, each after those before it.
+///
+/// After some pieces the body stands at R(Q) x + o / w. The next one takes it to
+/// p + s v + R(q) (R(Q) x + o / w − p) = p + s v + R(q Q) (x + R(Q)⁻¹ (o − w p) / w).
+fn chained(pieces: &[MotionPiece], vector: impl Fn(&[f64; 3]) -> Vector) -> Result<Vec<Piece>, String> {
+    let mut turned = identity();
+    let mut offset: Vector = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+    let mut weight = IBig::ONE;
+    let mut start = 0.0;
+    let mut all = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        if !(start < piece.until && piece.until <= 1.0) {
+            return Err("answered a question about a motion whose times do not go up to 1".to_owned());
+        }
+        let grid = Grid::of(piece.from.into_iter().chain(piece.to));
+        let [from, to] = [piece.from, piece.to].map(|q| q.map(|c| grid.units(c)));
+        let is_zero = |q: &Quaternion| q.iter().all(|c| *c == IBig::ZERO);
+        if is_zero(&from) || is_zero(&to) || dot(&from, &to) < IBig::ZERO {
+            return Err("answered a question about quaternions that are zero or more than half a turn apart".to_owned());
+        }
+        let (point, travel) = (vector(&piece.axis_point), vector(&piece.translation));
+        let off = difference(&offset, &multiple(&weight, &point));
+        let back = conjugate(&turned);
+        let [arm @ .., arm_weight] =
+            without_divisor(&image(&mixed_rotation(&back, &back), &off), &weight * dot(&turned, &turned));
+        let turns = [product(&from, &turned), product(&to, &turned)];
+        // p + v + R(to) (o − w p) / w, over w |to|²
+        let square = dot(&to, &to);
+        let end = multiple(&(&weight * &square), &sum(&point, &travel));
+        let [next @ .., next_weight] =
+            without_divisor(&sum(&end, &image(&mixed_rotation(&to, &to), &off)), &weight * &square);
+        turned = <Quaternion>::try_from(reduced(turns[1].to_vec())).unwrap_or_else(|_| turns[1].clone());
+        (offset, weight) = (next, next_weight);
+        all.push(Piece { times: [start, piece.until], turns, point, travel, arm, weight: arm_weight });
+        start = piece.until;
+    }
+    if start == 1.0 { Ok(all) } else { Err("answered a question about a motion that does not end at 1".to_owned()) }
+}
+
+/// A vector and its weight without their greatest common divisor.
+fn without_divisor([x, y, z]: &Vector, weight: IBig) -> [IBig; 4] {
+    let all = [x.clone(), y.clone(), z.clone(), weight];
+    <[IBig; 4]>::try_from(reduced(all.to_vec())).unwrap_or(all)
+}

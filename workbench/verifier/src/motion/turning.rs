@@ -1,0 +1,138 @@
+//! A rotation at constant rate: between two times it is enclosed by a quaternion of whole numbers that goes linearly.
+//!
+//! Let û be the unit vector of the axis and e(ψ) = cos ψ + sin ψ û, a quaternion that turns by 2 ψ. The motion turns by
+//! e(h) with h linear in the time, from h_0 to h_1, and the stretch by a linear quaternion from q_0 to q_1 near e(h_0) and
+//! e(h_1), all in one plane. There are two bounds of the angle between both rotations.
+//!
+//! **The linear path between e(h_0) and e(h_1).** Let 2 a = h_1 − h_0, so that the stretch turns by 4 a, and measure from
+//! the middle: at the share (1 + x) / 2 of the time, −1 ≤ x ≤ 1, the chord is at the angle atan(x t), t = tan a, and the
+//! motion at x a = x atan t. The difference, for x ≥ 0, is the integral over 0 ≤ τ ≤ t of
+//!
+//! ```text
+//! x / (1 + x² τ²) − x / (1 + τ²) = x (1 − x²) τ² / ((1 + x² τ²) (1 + τ²)),
+//! ```
+//!
+//! which is at least 0 and at most x (1 − x²) t³ / 3. The largest value of x (1 − x²) is 2 / (3 √3), so the rotations, by
+//! twice these angles, differ by at most 4 t³ / (9 √3) < 257 t³ / 1000. And t ≤ a / (1 − a² / 2), since sin a ≤ a and
+//! cos a ≥ 1 − a² / 2.
+//!
+//! **The ends.** If q_0 and q_1 are within η of e(h_0) and e(h_1), so is the path between of the chord, which is no shorter
+//! than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the rotations differ
+//! by twice that, at most 4 η where cos a ≥ 0.9.
+
+use dashu_int::IBig;
+use dashu_int::ops::{BitTest, SquareRoot};
+
+use super::path::Stretch;
+use super::quaternion::{Quaternion, Vector, cross, difference, dot, identity, multiple, sum};
+use super::root::{quotient_above, root_above};
+use super::sines::{QuarterTurn, SINE_PLACES};
+use crate::exact::grid::Grid;
+
+/// The places after the point of the ends of a stretch.
+const END_PLACES: usize = 80;
+
+/// The places after the point of bounds of angles.
+pub(super) const ANGLE_PLACES: usize = 96;
+
+/// The largest angle of a stretch is 8 / 5: more than a quarter turn, and cos(2 / 5) is more than 0.9.
+const LARGEST_ANGLE: [u32; 2] = [8, 5];
+
+/// The rotation by so many units 2^-`places` of an angle about an axis through a point, while the body translates.
+#[derive(Debug, Clone)]
+pub(super) struct Turning {
+    point: Vector,
+    travel: Vector,
+    /// The axis, of any length.
+    axis: Vector,
+    /// The length of the axis, in units of 2^-`length_places`, rounded down.
+    length: IBig,
+    length_places: usize,
+    /// The bits of the axis.
+    axis_bits: usize,
+    angle: IBig,
+    angle_places: usize,
+    quarter: QuarterTurn,
+}
+
+impl Turning {
+    /// The rotation; `None` about an axis that is zero.
+    pub(super) fn new(point: Vector, travel: Vector, axis: [f64; 3], angle: f64) -> Option<Self> {
+        let grid = Grid::of(axis);
+        let axis = axis.map(|c| grid.units(c));
+        let square = dot(&axis, &axis);
+        if square == IBig::ZERO {
+            return None;
+        }
+        let length_places = (END_PLACES + 16).saturating_sub(square.bit_len() / 2);
+        let length = IBig::from((&square << (2 * length_places)).sqrt());
+        let places = Grid::of([angle]).exponent().min(0);
+        let whole = Grid::at(places).units(angle);
+        let angle_places = places.unsigned_abs() as usize;
+        let quarter = QuarterTurn::for_angles_below(whole.bit_len().saturating_sub(angle_places) + 1);
+        let axis_bits = square.bit_len() / 2 + 1;
+        Some(Self { point, travel, axis, length, length_places, axis_bits, angle: whole, angle_places, quarter })
+    }
+
+    /// Whether the angle between two times, in units of 2^-`places`, is small enough for one stretch.
+    pub(super) fn is_one_stretch(&self, [from, to]: [&IBig; 2], places: usize) -> bool {
+        let [most, over] = LARGEST_ANGLE.map(IBig::from);
+        self.angle_between([from, to]) * over <= most << (places + self.angle_places)
+    }
+
+    /// The magnitude of the angle between two times.
+    fn angle_between(&self, [from, to]: [&IBig; 2]) -> IBig {
+        let angle = (to - from) * &self.angle;
+        if angle < IBig::ZERO { -angle } else { angle }
+    }
+
+    /// The stretch between two times of one.
+    pub(super) fn stretch(&self, [from, to]: [&IBig; 2], places: usize) -> Stretch {
+        let weight = IBig::ONE << places;
+        let base = [from, to].map(|time| sum(&multiple(&weight, &self.point), &multiple(time, &self.travel)));
+        let arm = multiple(&-&weight, &self.point);
+        if self.angle == IBig::ZERO {
+            return Stretch { turns: vec![identity()], base, arm, weight, angle_off: IBig::ZERO };
+        }
+        let mut turns = vec![self.turned(from, places)];
+        // Rounding to 2^-80 leaves an end within 2^-78, see `turned`.
+        let mut angle_off = IBig::ONE << (ANGLE_PLACES - END_PLACES + 4);
+        if from != to {
+            turns.push(self.turned(to, places));
+            angle_off += self.chord([from, to], places);
+        }
+        Stretch { turns, base, arm, weight, angle_off }
+    }
+
+    /// 257 t³ / 1000, rounded up.
+    fn chord(&self, times: [&IBig; 2], places: usize) -> IBig {
+        let one = IBig::ONE << ANGLE_PLACES;
+        let quarter = self.angle_between(times) << ANGLE_PLACES;
+        let a = (quarter >> (places + self.angle_places + 2)) + IBig::ONE;
+        let cosine = &one - ((&a * &a) >> (ANGLE_PLACES + 1)) - IBig::ONE;
+        let tangent = quotient_above(&(&a << ANGLE_PLACES), &cosine);
+        let cube = quotient_above(&(&tangent * &tangent * &tangent), &(IBig::ONE << (2 * ANGLE_PLACES)));
+        quotient_above(&(cube * IBig::from(257)), &IBig::from(1000))
+    }
+
+    /// The quaternion at a time, times a power of two: (c, m · axis) with c and m times the length of the axis within
+    /// 2^(1 − 80) of cosine and sine. They are rounded by at most 2^-80; the error of both and that of the length, 2^-86
+    /// of it, are far less. Together they are within η = 2^(2 − 80).
+    fn turned(&self, time: &IBig, places: usize) -> Quaternion {
+        let [sine, cosine] = self.quarter.sine_and_cosine(&(time * &self.angle), places + self.angle_places + 1);
+        let cosine = (cosine >> (SINE_PLACES - END_PLACES)) << self.axis_bits;
+        let along = (sine << (self.axis_bits + self.length_places)) / &self.length >> (SINE_PLACES - END_PLACES);
+        let [x, y, z] = multiple(&along, &self.axis);
+        [cosine, x, y, z]
+    }
+
+    /// A bound of the distances of a body's points from the axis, in units 2^-32 of those of lengths.
+    pub(super) fn reach(&self, center: &Vector, generators: &[Vector]) -> IBig {
+        let off_axis = |v: &Vector| {
+            let across = cross(&self.axis, v);
+            root_above(&dot(&across, &across))
+        };
+        let all: IBig = generators.iter().map(off_axis).sum::<IBig>() + off_axis(&difference(center, &self.point));
+        quotient_above(&(all << self.length_places), &self.length)
+    }
+}

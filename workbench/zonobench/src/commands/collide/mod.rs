@@ -1,0 +1,91 @@
+//! `zonobench collide`: whether two zonotopes in motion meet, and when first.
+
+mod step;
+mod summary;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use self::step::Step;
+use super::Ending;
+use super::asked::{About, Asked, body_formats, check_dimensions, record};
+use super::placing::{Placing, PlacingOfSecond};
+use super::usage::{check_inputs, check_names};
+use super::verify::question_name;
+use crate::input::{Format, OptionNames, Placed};
+use crate::output::{Existing, Outputs, Results};
+use batch::Verdict;
+use batch::json::to_json;
+
+/// Options of `collide`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The first zonotope of space: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
+    a: PathBuf,
+    /// The second zonotope.
+    b: PathBuf,
+    /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
+    #[arg(long, value_parser = body_formats())]
+    format: Option<Format>,
+    #[command(flatten)]
+    step: Step,
+    #[command(flatten)]
+    placing: Placing,
+    #[command(flatten)]
+    placing_of_b: PlacingOfSecond,
+    /// Write the answer with its certificate, in the format of `solve`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the question in the format of `solve`: `verify` checks the answer against it.
+    #[arg(long, value_name = "FILE")]
+    question: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, solves, checks, and prints when the bodies meet first with the proof.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let placings = [&options.placing, &options.placing_of_b.placing()];
+    let bodies = [placings[0].inputs(&options.a), placings[1].inputs(&options.b)].concat();
+    let inputs = [bodies, options.step.inputs()].concat();
+    options.step.check()?;
+    check_inputs(&inputs)?;
+    check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
+    let outputs = options.json.iter().chain(&options.question);
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
+    let names = [&options.a, &options.b];
+    let formats = [options.format, options.placing_of_b.format(options.format)];
+    let files = [
+        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+    ];
+    let mut request = record(About::Collide, &files.each_ref(), None, None);
+    let bodies = files.map(|file| file.placed);
+    check_dimensions(names, &bodies)?;
+    let motion = options.step.motion()?;
+    let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
+    let questions = bodies.each_ref().map(Placed::question);
+    let mut question = About::Collide.question(&name, &questions, None, None);
+    let resolution = options.step.resolution.map(to_json);
+    for place in [&mut request, &mut question["input"]] {
+        place["motion"] = motion.clone();
+        if let Some(resolution) = &resolution {
+            place["resolution"] = json!(resolution);
+        }
+    }
+    let asked = Asked::of(question)?;
+    let verdict = asked.verdict();
+
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary::summary(options, &bodies, &motion, &asked, &verdict))?;
+    Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}
