@@ -108,6 +108,13 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
             let input = body(n, dimension, count);
             with(input, "points", vectors(n, dimension, 3))
         }
+        "sweep" => {
+            let mut input = body(n, space, count);
+            for name in ["axis_point", "axis", "translation"] {
+                input[name] = vector(n, space);
+            }
+            with(input, "angle", spelled(n.next().unwrap_or(1.0)))
+        }
         "support" => {
             let direction = vector(n, dimension);
             with(body(n, dimension, count), "direction", direction)

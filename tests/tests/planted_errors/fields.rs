@@ -25,6 +25,7 @@ fn of_result(kind: &str, result: &Value) -> bool {
                 && has(&result["hausdorff"], &["lower", "upper", "direction"])
                 && (has(certificate, &["shares", "frame"]) || has(certificate, &["facet_normals"]))
         }
+        "sweep" => has(result, &["center", "generators"]),
         "support" => has(result, &["value", "point"]),
         "combinatorics" => has(result, &["affine_dim", "vertices", "edges", "facets", "facet_sizes", "measure"]),
         "slope_selection" => has(result, &["x"]),

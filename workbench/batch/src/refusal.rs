@@ -16,6 +16,10 @@ pub enum Code {
     NegativeWeight,
     /// A precision is not between 0 and 1.
     BadEpsilon,
+    /// An axis of rotation is the zero vector.
+    ZeroAxis,
+    /// An angle is negative.
+    BadAngle,
     /// More was given than is taken.
     TooLarge,
     /// No such kind.
@@ -30,13 +34,15 @@ pub enum Code {
 
 impl Code {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::NonFinite,
         Self::DimensionMismatch,
         Self::LengthMismatch,
         Self::Empty,
         Self::NegativeWeight,
         Self::BadEpsilon,
+        Self::ZeroAxis,
+        Self::BadAngle,
         Self::TooLarge,
         Self::UnknownKind,
         Self::UnknownMethod,
@@ -53,6 +59,8 @@ impl Code {
             Self::Empty => "empty",
             Self::NegativeWeight => "negative_weight",
             Self::BadEpsilon => "bad_epsilon",
+            Self::ZeroAxis => "zero_axis",
+            Self::BadAngle => "bad_angle",
             Self::TooLarge => "too_large",
             Self::UnknownKind => "unknown_kind",
             Self::UnknownMethod => "unknown_method",

@@ -4,6 +4,7 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
+mod motion;
 
 use serde_json::Value;
 
@@ -54,6 +55,7 @@ pub static KINDS: &[Kind] = &[
     enclosing::min_area::KIND,
     enclosing::min_length_dirs::KIND,
     enclosing::min_length_all::KIND,
+    motion::sweep::KIND,
 ];
 
 /// An answer's content.

@@ -2,6 +2,7 @@
 
 mod collision;
 mod enclosing;
+mod motion;
 mod placed;
 mod reading;
 mod reduction;
@@ -129,6 +130,7 @@ fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> 
         "distance" => collision::distance(input, result),
         "approx" => reduction::approx(input, result),
         "reduce" => reduction::reduce(input, result),
+        "sweep" => motion::sweep(input, result),
         "hausdorff" => reduction::hausdorff(input, result),
         "member" => collision::member_of(input, result),
         "intersect" => collision::intersect(input, result),

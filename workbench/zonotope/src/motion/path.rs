@@ -6,6 +6,7 @@ use super::arc::Arc;
 use super::constant_rate::{ConstantRate, LARGEST_ANGLE};
 use super::piece::{Piece, Standing};
 use super::quaternion::polar_rotation;
+use super::space_time::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;
@@ -206,6 +207,14 @@ impl Motion {
         let weight = arc.weight.value;
         let moved = |k: usize| dot(&rotation[k], &arc.arm.map(|c| c.value / weight)) + arc.base[0][k].value / weight;
         Pose::new(rotation, [0, 1, 2].map(moved)).ok()
+    }
+
+    /// The sweep whose placements a rotation at constant rate goes through; `None` for a rational motion.
+    pub(super) fn as_sweep(&self) -> Option<Sweep> {
+        match &self.0 {
+            Kind::Rational(_) => None,
+            Kind::ConstantRate(motion) => Some(motion.as_sweep()),
+        }
     }
 
     /// The times strictly between two others at which a stretch must end: those at which a part of the motion ends.

@@ -1,0 +1,3 @@
+//! Kinds about bodies that move.
+
+pub(super) mod sweep;

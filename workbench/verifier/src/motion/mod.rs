@@ -1,0 +1,5 @@
+//! Answers about bodies that move.
+
+mod turning;
+
+pub(crate) mod sweep;
