@@ -7,6 +7,7 @@ use crate::bounds::{self, Known};
 use crate::enclosures;
 use crate::proximity;
 use crate::rationals::{absolute, dot, indices, minus, number, solved, vector, vectors};
+use crate::sweeps;
 use crate::truth::contains;
 
 /// Figures within a relative error of this are the same but for rounding: both may be off by the stated 1e-12.
@@ -47,6 +48,7 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known:
             });
             Some(same_fields(&["status"], right, changed)).zip(figures)
         }
+        "sweep" => sweeps::are_held(input, right).zip(sweeps::are_held(input, changed)),
         "support" => Some(true).zip(farthest(input, changed)),
         "combinatorics" | "slope_selection" | "upper_hull" => Some((true, is_same(right, changed))),
         "separator" => Some((steps(right).is_some(), steps(right) == steps(changed))),

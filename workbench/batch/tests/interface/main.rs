@@ -8,5 +8,6 @@ mod many_points;
 mod near_the_largest_double;
 mod places;
 mod poses;
+mod sweeps;
 mod transcript;
 mod verdicts;

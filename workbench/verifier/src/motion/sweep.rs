@@ -6,8 +6,8 @@
 //! both ends and at the corner of the tangents. Stretches are halved until that suffices, or until the value at a
 //! placement shows the answer wrong.
 //!
-//! If the generators of the body are among those of the answer, they are left out on both sides: then the sum of the
-//! other generators has few facets, and has to hold all displacements of points of the body.
+//! If the generators of the body are among those of the answer, they are left out on both sides first: the sum of the
+//! other generators has few facets, and it is enough that it holds all displacements of points of the body.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
@@ -91,15 +91,20 @@ fn checked(question: &Sweep, center: &[f64], generators: &[Vec<f64>]) -> Result<
         products: MOST_PRODUCTS,
     };
     let [rest, missing] = without_common_summands([&answer, &check.body]);
-    let is_body_kept = missing.is_empty();
-    // the displacements are around the body's centre, the placements around the axis point
-    let (outer, around) = if is_body_kept { (rest, &from) } else { (answer, &point) };
-    let outer = Outer { center: difference(&answer_center, around), generators: outer, keeps_body: is_body_kept };
-    for u in outer.directions()? {
-        check.along(&outer, &u)?;
-        check.along(&outer, &u.iter().map(|c| -c).collect())?;
+    let around_axis = Outer { center: difference(&answer_center, &point), generators: answer, keeps_body: false };
+    let by_displacements = if missing.is_empty() {
+        let around_body = Outer { center: difference(&answer_center, &from), generators: rest, keeps_body: true };
+        check.contained(&around_body)
+    } else {
+        Err(Stop::Unchecked(String::new()))
+    };
+    match by_displacements {
+        Err(Stop::Unchecked(_)) => {
+            check.products = MOST_PRODUCTS;
+            check.contained(&around_axis)
+        }
+        decided => decided,
     }
-    Ok(Proved("every placement is contained, along each facet normal and at every angle"))
 }
 
 fn difference(a: &Vector, b: &Vector) -> Vector {
@@ -139,6 +144,15 @@ impl Outer {
 }
 
 impl Check {
+    /// Proves that the outer body reaches far enough in every direction.
+    fn contained(&mut self, outer: &Outer) -> Result<Proved, Stop> {
+        for u in outer.directions()? {
+            self.along(outer, &u)?;
+            self.along(outer, &u.iter().map(|c| -c).collect())?;
+        }
+        Ok(Proved("every placement is contained, along each facet normal and at every angle"))
+    }
+
     /// Proves that the outer body reaches as far along u as every placement.
     fn along(&mut self, outer: &Outer, u: &Vector) -> Result<(), Stop> {
         let reach: IBig = outer.generators.iter().map(|g| dot(g, u).abs()).sum();

@@ -84,11 +84,12 @@ fn degenerate_sweeps_are_held() {
         body([0.1, 0.2, 0.3], &[[0.3, 0.1, 0.7], [1e-9, 0.2, 0.0]]),
     ];
     let axes = [[0.0, 0.0, 1.0], [0.0, -2.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 3.0]];
-    for body in &bodies {
-        for axis in axes {
-            for angle in [5e-324, 1e-9, PI / 2.0, PI, 4.0, TAU, 30.0] {
-                check(&sweep([0.0, 0.5, 0.0], axis, angle, [1.0, -3.0, 0.1]), body, 2).expect("held");
-            }
+    let angles = [5e-324, 1e-9, PI / 2.0, PI, 4.0, TAU, 30.0];
+    for (i, body) in bodies.iter().enumerate() {
+        for (k, axis) in axes.into_iter().enumerate() {
+            // four axes meet each body, and each angle four or five times in all
+            let angle = angles[(4 * i + k) % angles.len()];
+            check(&sweep([0.0, 0.5, 0.0], axis, angle, [1.0, -3.0, 0.1]), body, 2).expect("held");
         }
     }
 }
@@ -234,11 +235,23 @@ fn excess_over_the_sampled_sweep() {
             table.push((method.id(), row));
         }
     }
-    println!("{table:#?}");
     assert_eq!(table, EXCESS);
 }
 
-const EXCESS: [(&str, [f64; 4]); 0] = [];
+const EXCESS: [(&str, [f64; 4]); 12] = [
+    ("by_farthest_vertex", [20.7, 60.5, 113.1, 163.3]),
+    ("by_middle_placement", [8.7, 27.1, 56.7, 112.6]),
+    ("by_least_rectangle", [12.8, 38.1, 74.7, 128.3]),
+    ("by_least_zonogon", [12.8, 38.1, 72.9, 112.8]),
+    ("by_shadow", [5.2, 19.8, 48.6, 106.3]),
+    ("by_turned_generators", [4.6, 15.3, 31.5, 48.2]),
+    ("by_farthest_vertex", [51.2, 125.5, 187.5, 191.8]),
+    ("by_middle_placement", [20.6, 51.8, 83.7, 120.0]),
+    ("by_least_rectangle", [10.0, 25.9, 43.2, 54.8]),
+    ("by_least_zonogon", [10.0, 23.8, 36.5, 45.0]),
+    ("by_shadow", [8.6, 27.0, 53.3, 87.8]),
+    ("by_turned_generators", [7.8, 20.8, 34.0, 37.4]),
+];
 
 fn vector(size: f64) -> impl Strategy<Value = [f64; 3]> {
     prop_oneof![
@@ -258,7 +271,7 @@ fn any_body() -> impl Strategy<Value = Zonotope<3>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]
     fn every_placement_is_held(
