@@ -90,6 +90,11 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
         ),
         // the truth in rationals knows the distance, and proves nothing
         ("collision/distance", &["distance"], vec![collision::distance::Method::default().id()]),
+        (
+            "motion/space_time",
+            &["sweep"],
+            zonotope::motion::space_time::Method::ALL.map(zonotope::motion::space_time::Method::id).to_vec(),
+        ),
         ("reduction", &["reduce"], reduction::Method::ALL.map(reduction::Method::id).to_vec()),
         (
             "collision/doors",

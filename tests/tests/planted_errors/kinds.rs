@@ -6,7 +6,7 @@ use crate::bounds::{self, Known};
 use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, of_location};
 use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
 use crate::rationals::{minus, vector, vectors};
-use crate::{enclosures, encounters, proximity};
+use crate::{enclosures, encounters, proximity, sweeps};
 
 /// A right answer with one that was changed.
 struct Pair<'a> {
@@ -26,7 +26,7 @@ struct Row {
     judge: fn(&Pair<'_>, &mut Option<Known>) -> Judged,
 }
 
-const ROWS: [Row; 18] = [
+const ROWS: [Row; 19] = [
     Row {
         kind: "member",
         has_fields: |result| has(result, &["member", "status", "certificate"]) && of_location(result),
@@ -53,6 +53,11 @@ const ROWS: [Row; 18] = [
         kind: "collide",
         has_fields: of_first_contact,
         judge: |pair, _| encounters::judged(pair.input, pair.changed),
+    },
+    Row {
+        kind: "sweep",
+        has_fields: |result| has(result, &["center", "generators"]),
+        judge: |pair, _| sweeps::are_held(pair.input, pair.right).zip(sweeps::are_held(pair.input, pair.changed)),
     },
     Row { kind: "approx", has_fields: of_enclosing, judge: enclosing },
     Row { kind: "reduce", has_fields: of_enclosing, judge: enclosing },

@@ -89,6 +89,7 @@
 //! | [`collision::upper_hull`] | the height of the upper hull over a point | 5.1 |
 //! | [`reduction`] | a zonotope of few generators around one of many | 5.2, Lemma 5.5 |
 //! | [`reduction::hausdorff`] | the Hausdorff distance of two zonotopes, between two bounds | 5.2, H(A, B) |
+//! | [`motion::space_time`] | a zonotope around all placements of a turning one | 6, Theorem 6.1 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`hull::in_space`] | convex hull of points of space | 4.3, as what a body has to contain |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |

@@ -63,6 +63,7 @@ pub static KINDS: &[Kind] = &[
     enclosing::min_area::KIND,
     enclosing::min_length_dirs::KIND,
     enclosing::min_length_all::KIND,
+    motion::sweep::KIND,
 ];
 
 /// An answer's content.

@@ -7,6 +7,7 @@
 
 use super::arc::Arc;
 use super::scalar::Scalar;
+use super::space_time::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
@@ -24,6 +25,7 @@ const LARGEST_QUARTER: f64 = 0.7;
 #[derive(Debug, Clone)]
 pub(super) struct ConstantRate {
     axis_point: [f64; 3],
+    given_axis: [f64; 3],
     /// The axis over a power of two, exactly.
     axis: ExactVector,
     /// The same in doubles.
@@ -37,11 +39,12 @@ pub(super) struct ConstantRate {
 impl ConstantRate {
     /// A motion of finite numbers about an axis that is not 0.
     pub(super) fn new(axis_point: [f64; 3], axis: [f64; 3], angle: f64, translation: [f64; 3]) -> Self {
+        let given_axis = axis;
         let exponent = exact(axis).iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let axis = exact(axis).map(|c| c.scaled(-exponent));
         let bounded_axis = axis.each_ref().map(Bounded::near);
         let length = euclidean_norm(&bounded_axis.map(|c| c.value));
-        Self { axis_point, axis, bounded_axis, length, angle, translation }
+        Self { axis_point, given_axis, axis, bounded_axis, length, angle, translation }
     }
 
     /// The same motion with all lengths times a power of two; `None` where they leave the range of doubles.
@@ -64,6 +67,14 @@ impl ConstantRate {
     /// The angle in radians.
     pub(super) fn angle(&self) -> f64 {
         self.angle
+    }
+
+    /// The sweep of the motion: a turn by a negative angle is one about the opposite axis.
+    pub(super) fn as_sweep(&self) -> Sweep {
+        let sign = if self.angle < 0.0 { -1.0 } else { 1.0 };
+        let axis = self.given_axis.map(|c| sign * c);
+        Sweep::new(self.axis_point, axis, self.angle.abs(), self.translation)
+            .unwrap_or_else(|_| unreachable!("the motion was checked"))
     }
 
     /// The unit vector of the axis, rounded.

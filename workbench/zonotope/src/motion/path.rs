@@ -6,6 +6,7 @@ use super::arc::Arc;
 use super::constant_rate::{ConstantRate, LARGEST_ANGLE};
 use super::piece::{Piece, Standing};
 use super::quaternion::polar_rotation;
+use super::space_time::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;
@@ -223,6 +224,14 @@ impl Motion {
         match &self.0 {
             Kind::Rational(pieces) => pieces.iter().filter_map(Piece::size_exponent).max(),
             Kind::ConstantRate(motion) => motion.size_exponent(),
+        }
+    }
+
+    /// The sweep whose placements a rotation at constant rate goes through; `None` for a rational motion.
+    pub(super) fn as_sweep(&self) -> Option<Sweep> {
+        match &self.0 {
+            Kind::Rational(_) => None,
+            Kind::ConstantRate(motion) => Some(motion.as_sweep()),
         }
     }
 

@@ -18,6 +18,9 @@ pub(super) trait Scalar: Ring {
     /// The magnitude, or more where the sign is in doubt.
     fn magnitude(&self) -> Self;
 
+    /// Whether the exact value is greater than 0 beyond doubt.
+    fn is_certainly_positive(&self) -> bool;
+
     /// Σ |u · g| over generators g for each of several directions u; `magnitude` is Σ |g|_1, but for rounding.
     fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K];
 }
@@ -39,6 +42,11 @@ impl Scalar for f64 {
     #[inline]
     fn magnitude(&self) -> Self {
         self.abs()
+    }
+
+    #[inline]
+    fn is_certainly_positive(&self) -> bool {
+        *self > 0.0
     }
 }
 
@@ -62,6 +70,11 @@ impl Scalar for Bounded {
     fn magnitude(&self) -> Self {
         Self { value: self.value.abs(), error: self.error }
     }
+
+    #[inline]
+    fn is_certainly_positive(&self) -> bool {
+        self.is_positive()
+    }
 }
 
 impl Scalar for Dyadic {
@@ -82,5 +95,9 @@ impl Scalar for Dyadic {
 
     fn magnitude(&self) -> Self {
         self.clone().abs()
+    }
+
+    fn is_certainly_positive(&self) -> bool {
+        self.sign().is_gt()
     }
 }

@@ -270,3 +270,19 @@ pub(crate) const POSE_ROUNDING: f64 = 256.0 * UNIT;
 /// 8 u of the size. Rates go through fewer than fifty roundings; where quaternions nearly agree, the sine of the angle
 /// between them is off by 16 u of 1, and the motion within it by as much of the size.
 pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
+
+/// The smallest positive double: no number that underflows is off by more.
+pub const SMALLEST: f64 = f64::from_bits(1);
+
+/// The part by which a coordinate of a unit vector, and the length that it was divided by, may be off where the exact
+/// vector was rounded first: 2^-48.
+///
+/// The rounded coordinates are off by 2^-50 each, the norm by that and three roundings, the quotient by one more.
+pub const ROUNDED_UNIT_VECTOR: f64 = power_of_two(-48);
+
+/// The distance of a rounded point R x − x of a turned point x from the exact one, in terms of the sum of the
+/// magnitudes of the coordinates of x: 2^-46.
+///
+/// Both entries of the matrix are at most 2.1 and off by less than 4 units in the last place, of angles that are off by
+/// a unit in the last place of a turn; the products and the sum go through three roundings.
+pub const ARC_POINT_ROUNDING: f64 = power_of_two(-46);

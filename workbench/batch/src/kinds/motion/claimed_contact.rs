@@ -2,7 +2,8 @@
 
 use crate::claimed::{Placed, Traced, float, indices, member, text, vector, vectors};
 use verifier::{
-    Encounter, FirstContactAnswer, FreeInterval, Motion, MotionPiece, MovingBody, MovingDirection, Verdict, check_first_contact,
+    Encounter, FirstContactAnswer, FreeInterval, Motion, MotionPiece, MovingBody, MovingDirection, Verdict,
+    check_first_contact,
 };
 
 /// The resolution of a question that names none: 2^-30.

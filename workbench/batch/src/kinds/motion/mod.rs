@@ -3,3 +3,4 @@
 mod claimed_contact;
 pub(super) mod collide;
 mod stated;
+pub(super) mod sweep;

@@ -22,14 +22,24 @@ pub(super) fn first_contact(
     answer: impl FnOnce(Scene<'_>) -> FirstContact,
 ) -> FirstContact {
     let Some((scaled, moved, exponent)) = scaled(bodies, motions) else {
-        return answer(Scene::new(bodies, motions));
+        return answered(Scene::new(bodies, motions), answer);
     };
-    let mut found = answer(Scene::new(scaled.each_ref(), moved.each_ref()));
+    let mut found = answered(Scene::new(scaled.each_ref(), moved.each_ref()), answer);
     if let FirstContact::Grazing { distance_at_most, .. } = &mut found {
         // one that underflows is rounded up as well
         *distance_at_most = (*distance_at_most * power_of_two(-exponent as i32)).next_up();
     }
     found
+}
+
+/// An answer about a scene; the coefficients of a contact's basis are those of the exact placements, rounded.
+fn answered(scene: Scene<'_>, answer: impl FnOnce(Scene<'_>) -> FirstContact) -> FirstContact {
+    match answer(scene) {
+        FirstContact::Contact { free, time, witness } => {
+            FirstContact::Contact { free, time, witness: scene.with_nearest_basis(time[1], witness) }
+        }
+        found => found,
+    }
 }
 
 /// Both times a power of two, exactly, and its exponent; `None` where sizes are ordinary, or where the range of doubles

@@ -4,10 +4,10 @@ use super::SeparatingDirection;
 use super::body::Body;
 use super::gap::Stretch;
 use super::meeting;
-use crate::collision::by_lad::locate_posed_counted;
+use crate::collision::by_lad::locate_counted;
 use crate::collision::distance::Proximity;
-use crate::collision::distance::by_support_simplex::proximity_posed_counted;
-use crate::collision::{Location, Separation, Witness};
+use crate::collision::distance::by_support_simplex::proximity_counted;
+use crate::collision::{Location, Query, Separation, Witness};
 use crate::motion::Motion;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
@@ -15,7 +15,7 @@ use crate::numeric::linear::sum_norm;
 use crate::numeric::tolerance::POSE_ROUNDING;
 use crate::tally::{Operation, OperationCounts, Tally};
 use crate::zonotope::Zonotope;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::pose::Pose;
 
 /// Two bodies and their motions.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +33,17 @@ impl<'a> Scene<'a> {
     pub(super) fn new(bodies: [&'a Zonotope<3>; 2], motions: [&'a Motion; 2]) -> Self {
         let reaches = [0, 1].map(|i| motions[i].reach(bodies[i]));
         Self { bodies: bodies.map(Body::of), motions, reaches }
+    }
+
+    fn zonotopes(&self) -> [&'a Zonotope<3>; 2] {
+        self.bodies.map(|body| body.zonotope)
+    }
+
+    /// A proof that the bodies meet at a time with the coefficients of its basis rounded from what they are for the
+    /// exact placements.
+    pub(super) fn with_nearest_basis(&self, time: f64, witness: Witness) -> Witness {
+        let arcs = self.motions.map(|motion| motion.exact_arc([time; 2]));
+        meeting::with_nearest_basis(self.zonotopes(), arcs.each_ref(), witness)
     }
 
     /// The times between which no part of a motion ends.
@@ -91,23 +102,24 @@ impl<'a> Scene<'a> {
     /// The proof that the bodies meet at a time, or else a direction that separates them as they are rounded then.
     pub(super) fn at(&self, time: f64, tally: &mut dyn Tally) -> Result<Witness, Apart> {
         let location =
-            self.with_query(time, tally, |query, counts| locate_posed_counted(query, counts).with_nearest_basis(query));
+            self.with_query(time, tally, |query, counts| locate_counted(query, counts).with_nearest_basis(query));
         match location {
             None | Some(Location::Outside(Separation::Exact(_))) => Err(None),
             Some(Location::Outside(Separation::Rounded(u))) => Err(Some(SeparatingDirection::Space(u))),
             Some(Location::Inside(witness) | Location::Boundary(witness)) => {
                 if self.is_meeting(time, &witness) {
-                    Ok(witness)
-                } else {
-                    Err(None)
+                    return Ok(witness);
                 }
+                let arcs = self.motions.map(|motion| motion.arc([time; 2]).rounded());
+                let completed = meeting::completed(self.zonotopes(), arcs.each_ref(), witness);
+                completed.filter(|witness| self.is_meeting(time, witness)).ok_or(None)
             }
         }
     }
 
     /// How near the bodies are at a time, as they are rounded then; `None` where that leaves the range of doubles.
     pub(super) fn proximity_at(&self, time: f64, tally: &mut dyn Tally) -> Option<Proximity<3>> {
-        self.with_query(time, tally, |query, counts| proximity_posed_counted(query, counts))
+        self.with_query(time, tally, |query, counts| proximity_counted(query, counts))
     }
 
     /// An answer about the bodies as they are rounded at a time; each pass over all generators counts as one support
@@ -116,11 +128,11 @@ impl<'a> Scene<'a> {
         &self,
         time: f64,
         tally: &mut dyn Tally,
-        answer: impl FnOnce(&PosedQuery<'_>, &mut OperationCounts) -> A,
+        answer: impl FnOnce(&Query<'_, 3, Pose>, &mut OperationCounts) -> A,
     ) -> Option<A> {
         let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return None };
-        let [a, b] = self.bodies.map(|body| body.zonotope);
-        let query = PosedQuery::between((a, &p), (b, &q));
+        let [a, b] = self.zonotopes();
+        let query = Query::of_placed(a.at(&p), b.at(&q));
         let mut counts = OperationCounts::default();
         let answer = answer(&query, &mut counts);
         let passes = counts.get(Operation::GeneratorRead).div_ceil(query.len().max(1) as u64).max(1);
@@ -131,7 +143,7 @@ impl<'a> Scene<'a> {
 
     fn is_meeting(&self, time: f64, witness: &Witness) -> bool {
         let times = [time; 2];
-        let bodies = self.bodies.map(|body| body.zonotope);
+        let bodies = self.zonotopes();
         let [p, q] = self.motions.map(|motion| motion.arc(times));
         let angles_off = self.motions.map(|motion| motion.angle_off(times));
         let margin = self.margin(times);
@@ -153,6 +165,7 @@ impl<'a> Scene<'a> {
             let moved = self.motions[i].pose_at(time).map_or(f64::INFINITY, |pose| sum_norm(&pose.translation()));
             body.magnitude() + sum_norm(&body.center()) + moved
         });
-        (distance + POSE_ROUNDING * (size[0] + size[1]) + self.margin([time; 2])).next_up()
+        let bound = (distance + POSE_ROUNDING * (size[0] + size[1]) + self.margin([time; 2])).next_up();
+        if bound.is_nan() { f64::INFINITY } else { bound }
     }
 }

@@ -303,13 +303,6 @@ impl Search<'_, '_> {
         self.scene.distance_at_most(time, self.tally) <= GRAZING_DISTANCE * size
     }
 
-    /// The answer where the bodies meet at the second time.
-    fn contact(self, time: [f64; 2], witness: Witness) -> FirstContact {
-        let arcs = self.motions.map(|motion| motion.exact_arc([time[1]; 2]));
-        let witness = meeting::with_nearest_basis(self.bodies, arcs.each_ref(), witness);
-        FirstContact::Contact { free: self.free, time, witness }
-    }
-
     /// The answer where a stretch is not decided.
     fn grazing(self, time: [f64; 2]) -> FirstContact {
         let distance_at_most = self.scene.distance_at_most(time[1], self.tally);

@@ -42,7 +42,7 @@ fn check_by_sampling(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], found: &F
         let [p, q] = motions.map(|motion| motion.pose_at(time).expect("finite"));
         let (a, b) = (bodies[0].at(&p), bodies[1].at(&q));
         // bodies that are proved to be disjoint may touch as they are rounded, and no more
-        let is_deep = a.intersects(b) && a.penetration(b).distance() > 1e-9;
+        let is_deep = a.intersects(b) && a.penetration(b).lower > 1e-9;
         assert!(!is_deep, "a contact at {time} of {motions:?} {bodies:?}, free until {end}");
     }
 }
