@@ -85,7 +85,9 @@ proptest! {
     }
 
     #[test]
-    fn around_flat_bodies(g in several(coordinates(integer(2))), axis in 0usize..3, signs in signs(), t in 0.0..1.0f64) {
+    fn around_flat_bodies(
+        g in several(coordinates(integer(2))), axis in 0usize..3, signs in signs(), t in 0.0..1.0f64
+    ) {
         let flat: Vec<Vector> = g.into_iter().map(|mut v| { v[axis] = 0.0; v }).collect();
         check_around(&flat, &signs, t)?;
     }

@@ -75,7 +75,9 @@ proptest! {
     }
 
     #[test]
-    fn lines_of_all_magnitudes(lines in lines((integer(2), extreme_scale()).prop_map(|(v, s)| v * s)), linear in linear()) {
+    fn lines_of_all_magnitudes(
+        lines in lines((integer(2), extreme_scale()).prop_map(|(v, s)| v * s)), linear in linear()
+    ) {
         check(&lines, linear)?;
     }
 
