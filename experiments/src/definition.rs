@@ -5,7 +5,7 @@ mod plan;
 
 pub use plan::{Bound, FitPlan, Quantity, StatedBy};
 
-use crate::runner::stopwatch::Stopwatch;
+use crate::stopwatch::Stopwatch;
 use crate::{data, seed};
 use families::clouds::Cloud;
 use std::collections::BTreeMap;

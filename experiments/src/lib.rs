@@ -4,7 +4,7 @@
 //!   family are the crate [`families`].
 //! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
 //! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]:
-//!   stable seeds.
+//!   stable seeds; [`stopwatch`]: the only place that reads a clock.
 //! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
 //! - [`findings`]: sentences about what was measured, made from records; [`measured`]: the numbers in them.
@@ -25,3 +25,4 @@ pub mod question;
 pub mod record;
 pub mod runner;
 pub mod seed;
+pub mod stopwatch;

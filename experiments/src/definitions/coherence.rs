@@ -5,8 +5,8 @@ use crate::definition::{
     Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
-use crate::runner::stopwatch::Stopwatch;
 use crate::seed::{self, Digest};
+use crate::stopwatch::Stopwatch;
 use std::f64::consts::TAU;
 use zonotope::Pose;
 use zonotope::collision::prepared::DirectionTree;

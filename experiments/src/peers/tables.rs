@@ -1,6 +1,6 @@
 //! The record as tables.
 
-use super::{PeersRecord, median};
+use super::record::{PeersRecord, median};
 use crate::question::PLACEMENTS;
 use families::bodies;
 use std::collections::BTreeSet;

@@ -7,6 +7,7 @@
 //! | `tetrahedron` … `icosahedron` | all | the Platonic solids, each of its own size |
 
 mod solids;
+pub mod spiral;
 
 use crate::source::RandomSource;
 
