@@ -23,6 +23,7 @@ pub(super) struct Arc<T> {
 
 impl<T: Scalar> Arc<T> {
     /// |q(s)|² by its scaled Bernstein coefficients.
+    #[inline]
     pub(super) fn square(&self) -> [T; 3] {
         let [p, q] = &self.turns;
         let mixed = dot(p, q);
@@ -30,6 +31,7 @@ impl<T: Scalar> Arc<T> {
     }
 
     /// The matrices of |q(s)|² R(q(s)) as scaled Bernstein coefficients.
+    #[inline]
     pub(super) fn rotations(&self) -> [[[T; 3]; 3]; 3] {
         let [p, q] = &self.turns;
         let first = polar_rotation(p, p);
@@ -42,6 +44,7 @@ impl<T: Scalar> Arc<T> {
 
     /// The matrices of |q|² |r|² R(q)⁻¹ R(r), the turn of another body as this one sees it, as scaled Bernstein
     /// coefficients.
+    #[inline]
     pub(super) fn rotations_seen(&self, other: &Self) -> [[[T; 3]; 3]; 5] {
         let [p, q] = self.turns.each_ref().map(conjugate);
         let [r, s] = &other.turns;
@@ -59,11 +62,13 @@ impl<T: Scalar> Arc<T> {
     }
 
     /// The weight times the centre c + w of a body's arm.
+    #[inline]
     pub(super) fn arm_of(&self, center: &[f64; 3]) -> [T; 3] {
         [0, 1, 2].map(|k| self.weight.times(&T::of(center[k])).plus(&self.arm[k]))
     }
 
     /// u · P(s) times the weight for a fixed direction.
+    #[inline]
     pub(super) fn base_along(&self, u: &[T; 3]) -> [T; 2] {
         self.base.each_ref().map(|base| dot(u, base))
     }
@@ -100,6 +105,7 @@ impl Arc<f64> {
 }
 
 /// Twice a matrix.
+#[inline]
 fn twice<T: Scalar>(matrix: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     matrix.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)))
 }

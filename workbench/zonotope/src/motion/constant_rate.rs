@@ -92,6 +92,11 @@ impl ConstantRate {
         self.between(times, &self.bounded_axis)
     }
 
+    /// The same in doubles without bounds.
+    pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        self.between(times, &self.bounded_axis.map(|c| c.value))
+    }
+
     /// A bound of the angle between a placement of the motion and that of the stretch at the same time.
     pub(super) fn angle_off(&self, [from, to]: [f64; 2]) -> f64 {
         if self.angle == 0.0 {

@@ -200,12 +200,13 @@ impl Motion {
     /// The placement at a time from 0 to 1, rounded: a matrix that is a rotation but for rounding, and a translation.
     /// `None` where a coordinate leaves the range of doubles.
     pub fn pose_at(&self, time: f64) -> Option<Pose> {
-        let arc = self.arc([time, time]);
+        let arc = self.rounded_arc([time, time]);
         let turn = &arc.turns[0];
-        let square = dot(turn, turn).value;
-        let rotation = polar_rotation(turn, turn).map(|row| row.map(|c| c.value / square));
-        let weight = arc.weight.value;
-        let moved = |k: usize| dot(&rotation[k], &arc.arm.map(|c| c.value / weight)) + arc.base[0][k].value / weight;
+        let square = dot(turn, turn);
+        let mut rotation = polar_rotation(turn, turn);
+        rotation.as_flattened_mut().iter_mut().for_each(|c| *c /= square);
+        let arm = arc.arm.map(|c| c / arc.weight);
+        let moved = |k: usize| dot(&rotation[k], &arm) + arc.base[0][k] / arc.weight;
         Pose::new(rotation, [0, 1, 2].map(moved)).ok()
     }
 
@@ -265,6 +266,14 @@ impl Motion {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).arc(times),
             Kind::ConstantRate(motion) => motion.arc(times),
+        }
+    }
+
+    /// The same in doubles without bounds.
+    fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        match &self.0 {
+            Kind::Rational(pieces) => self.piece_at(pieces, times).rounded_arc(times),
+            Kind::ConstantRate(motion) => motion.rounded_arc(times),
         }
     }
 

@@ -29,6 +29,7 @@ pub(super) struct Piece {
     pub(super) until: f64,
     exact: Path<Dyadic>,
     bounded: Path<Bounded>,
+    rounded: Path<f64>,
     is_translation: bool,
 }
 
@@ -101,7 +102,7 @@ impl Piece {
     fn of([from, until]: [f64; 2], mut path: Path<Dyadic>) -> Self {
         scale_down(path.turns.as_flattened_mut());
         let is_translation = path.turns[0] == path.turns[1];
-        Self { from, until, bounded: path.near(), exact: path, is_translation }
+        Self { from, until, bounded: path.near(), rounded: path.near(), exact: path, is_translation }
     }
 
     /// The same piece with all lengths times a power of two.
@@ -110,7 +111,7 @@ impl Piece {
         for list in [&mut path.base, &mut path.travel, &mut path.arm] {
             list.iter_mut().for_each(|c| *c = c.clone().scaled(exponent));
         }
-        Self { bounded: path.near(), exact: path, ..*self }
+        Self { bounded: path.near(), rounded: path.near(), exact: path, ..*self }
     }
 
     /// The binary exponent of the largest length, or one more.
@@ -125,6 +126,11 @@ impl Piece {
         self.exact.between(times, self.is_translation)
     }
 
+    /// The same in doubles without bounds.
+    pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        self.rounded.between(times, self.is_translation)
+    }
+
     /// The stretch of the piece between two of its times, in doubles.
     pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
         self.bounded.between(times, self.is_translation)
@@ -132,16 +138,16 @@ impl Piece {
 }
 
 impl Path<Dyadic> {
-    /// The path in doubles with bounds.
-    fn near(&self) -> Path<Bounded> {
-        let vector = |v: &ExactVector| v.each_ref().map(Bounded::near);
+    /// The path in doubles, with or without bounds.
+    fn near<T: Scalar>(&self) -> Path<T> {
+        let vector = |v: &ExactVector| v.each_ref().map(T::near);
         Path {
-            times: self.times.each_ref().map(Bounded::near),
-            turns: self.turns.each_ref().map(|q| q.each_ref().map(Bounded::near)),
+            times: self.times.each_ref().map(T::near),
+            turns: self.turns.each_ref().map(|q| q.each_ref().map(T::near)),
             base: vector(&self.base),
             travel: vector(&self.travel),
             arm: vector(&self.arm),
-            weight: Bounded::near(&self.weight),
+            weight: T::near(&self.weight),
         }
     }
 }

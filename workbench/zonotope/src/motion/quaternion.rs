@@ -14,12 +14,14 @@ pub(super) fn identity<T: Ring>() -> Quaternion<T> {
 }
 
 /// The conjugate: the turn back.
+#[inline]
 pub(super) fn conjugate<T: Ring>([w, x, y, z]: &Quaternion<T>) -> Quaternion<T> {
     let opposite = |c: &T| T::ZERO.minus(c);
     [w.clone(), opposite(x), opposite(y), opposite(z)]
 }
 
 /// The product p q: the turn of q, then that of p.
+#[inline]
 pub(super) fn composition<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let ((w, a), (s, b)) = (parts(p), parts(q));
     let [x, y, z] = cross(&a, &b);
@@ -28,16 +30,19 @@ pub(super) fn composition<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quat
 }
 
 /// The sum of two quaternions.
+#[inline]
 pub(super) fn sum<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     [0, 1, 2, 3].map(|k| p[k].plus(&q[k]))
 }
 
 /// The multiple of a quaternion.
+#[inline]
 pub(super) fn multiple<T: Ring>(factor: &T, q: &Quaternion<T>) -> Quaternion<T> {
     q.each_ref().map(|c| factor.times(c))
 }
 
 /// R̃(p, q) by rows: the polar form of q ↦ |q|² R(q), symmetric in both.
+#[inline]
 pub(super) fn polar_rotation<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> [[T; 3]; 3] {
     let ((w, a), (s, b)) = (parts(p), parts(q));
     let along = w.times(&s).minus(&dot(&a, &b));
@@ -53,16 +58,19 @@ pub(super) fn polar_rotation<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> [
 }
 
 /// M v.
+#[inline]
 pub(super) fn image<T: Ring>(rows: &[[T; 3]; 3], v: &[T; 3]) -> [T; 3] {
     rows.each_ref().map(|row| dot(row, v))
 }
 
 /// Mᵀ u.
+#[inline]
 pub(super) fn transposed_image<T: Ring>(rows: &[[T; 3]; 3], u: &[T; 3]) -> [T; 3] {
     [0, 1, 2].map(|k| rows[0][k].times(&u[0]).plus(&rows[1][k].times(&u[1])).plus(&rows[2][k].times(&u[2])))
 }
 
 /// The real part and the vector.
+#[inline]
 fn parts<T: Ring>([w, x, y, z]: &Quaternion<T>) -> (T, [T; 3]) {
     (w.clone(), [x.clone(), y.clone(), z.clone()])
 }
