@@ -70,11 +70,21 @@ pub const HEIGHT_OVER_PLANE: f64 = 16.0 * UNIT;
 /// and products of these; 32 u exceeds that and the rounding of the bound.
 pub const PRODUCT_OF_ROUNDED_VECTORS: f64 = 32.0 * UNIT;
 
+/// Error of a 3 × 3 determinant of vectors of doubles, beside the product of their lengths |·|_1.
+///
+/// A term of the determinant goes through five roundings, and the products of coordinates add up to at most the product
+/// of the lengths.
+pub const DETERMINANT_OF_ROWS: f64 = 8.0 * UNIT;
+
+/// The same for rounded images of vectors under matrices, beside the product of bounds of their lengths: each image is
+/// off by at most 4 u times its bound, which takes 12 u of the product, and products of these.
+pub const DETERMINANT_OF_IMAGES: f64 = 32.0 * UNIT;
+
 /// A generator whose product with the computed normal of two others is smaller than this part of the product's terms is
 /// tried as one of their facet.
 ///
-/// Of exactly coplanar generators the product is off by the eight roundings of a determinant, in terms of numbers that
-/// cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
+/// Of exactly coplanar generators the product is off by the roundings of a [determinant](DETERMINANT_OF_ROWS), in terms
+/// of numbers that cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
 /// proof is bounded whatever generators take part in it.
 pub const FACET_ROUNDING: f64 = 64.0 * UNIT;
 
@@ -129,6 +139,11 @@ pub const MATRIX_SIZES: std::ops::Range<f64> = power_of_two(-60)..power_of_two(6
 
 /// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
 pub const SQUARABLE_SIZES: std::ops::Range<f64> = power_of_two(-500)..power_of_two(500);
+
+/// Sums of lengths between which no product of three lengths leaves the range of doubles: 2^-200 and 2^300.
+///
+/// A determinant of three vectors is compared with the cube of the lower end, 2^-600, so its underflow never counts.
+pub const CUBABLE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(300);
 
 /// Coordinates between which the product of two, and the rounding error of that product, are normal doubles: 2^-300 and
 /// 2^300, with [`PAIRABLE_EXPONENT`] for the exponent.

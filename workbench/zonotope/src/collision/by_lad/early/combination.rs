@@ -9,8 +9,8 @@ use std::ops::Range;
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::Witness;
+use crate::collision::by_lad::early::correcting_basis::correcting_basis;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
-use crate::collision::proof::balance::any_rest::basis_for_any;
 use crate::lad::of_generators::seam::frame::Frame;
 use crate::lad::of_generators::seam::generators::{Carried, Generators, KernelQuery};
 use crate::numeric::bounded::BoundedVector;
@@ -73,7 +73,7 @@ impl Written {
         coefficients: Vec<f64>,
     ) -> Option<Witness> {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
-        let basis = basis_for_any(query.len(), |i| query.bounded_generator(i), &coefficients, rest)?;
+        let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
         Some(Witness { coefficients, basis })
     }
 }

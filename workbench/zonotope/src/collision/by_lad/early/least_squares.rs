@@ -9,9 +9,9 @@ use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::rest;
+use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::{INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
-use crate::collision::proof::balance::any_rest::{basis_for_any, pair_for_any};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::seam::frame::Frame;
 use crate::lad::of_generators::seam::generators::{Carried, KernelQuery, Runs, count_of};
@@ -241,7 +241,7 @@ fn of_least_at<S: Simd, const OWN: bool>(simd: S, query: &impl KernelQuery, p: &
     );
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = basis_for_any(n, |i| query.bounded_generator(i), coefficients, rest) {
+        if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
             let witness = Witness { coefficients: coefficients.to_vec(), basis };
             return Ok(Proof::inside(witness, Rung::LeastSquares));
         }
@@ -280,7 +280,7 @@ fn of_least_in_plane_at<S: Simd>(
     if is_thick && sums.largest <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = pair_for_any(query, plane, &coefficients, rest) {
+        if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
             return Ok(Witness { coefficients, basis });
         }
     }

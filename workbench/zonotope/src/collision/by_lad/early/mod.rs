@@ -6,6 +6,7 @@
 //! | [`huber_dual`] | the smooth problem whose solution gives clipped coefficients |
 //! | [`clipped_steps`] | Newton steps on the smooth problem, for a sample or for all generators |
 //! | [`combination`] | coefficients written, summed up and proved |
+//! | [`correcting_basis`] | three generators that balance what is left |
 //! | [`stratified_pass`] | many generators: coefficients in one pass, steered by a sample |
 //! | [`known_sums`] | many generators of prepared bodies: what a sample of the least coefficients tells |
 //! | [`scaled_products`] | that sample |
@@ -16,6 +17,7 @@
 
 mod clipped_steps;
 pub(crate) mod combination;
+pub(crate) mod correcting_basis;
 pub(crate) mod huber_dual;
 mod known_sums;
 pub(crate) mod least_squares;

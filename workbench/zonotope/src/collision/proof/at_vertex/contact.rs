@@ -10,17 +10,16 @@
 use std::cmp::Ordering;
 
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::choice::farthest_from_plane;
-use crate::collision::proof::balance::triple::Triple;
+use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
 use crate::collision::proof::vectors::Vectors;
-use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::KernelQuery;
-use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
-use crate::numeric::linear::{cross, dot, less_multiple};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
+use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
 use crate::zonotope::location::Witness;
 
@@ -39,17 +38,22 @@ pub(super) fn touching(
 ) -> Option<Proof> {
     let [a, b] = pair.map(|i| vectors.value(i));
     let is_reversed = dot(u, &cross(&a, &b)) < 0.0;
-    let rounded_normal = bounded::cross(&vectors.bounded(pair[0]), &vectors.bounded(pair[1]));
+    let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
     let are_rows = vectors.parts.iter().all(|part| part.frame.is_none());
     let exact_pair = pair.map(|i| query.exact_generator(i));
     let normal = exact_linear::cross(&exact_pair[0], &exact_pair[1]);
     let mut members = Reused::with_capacity(8);
+    let (mut third, mut height) = (None, 0.0);
     for (i, v) in vectors.iter().enumerate() {
-        if dot(&v, &rounded_normal).sign().is_some() {
+        let along = dot(&v.value, u);
+        if along.abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW {
+            if along.abs() > height {
+                (third, height) = (Some(i), along.abs());
+            }
             continue;
         }
         let order = if are_rows {
-            determinant_sign_of_rows(&a, &b, &v.map(|c| c.value))
+            determinant_sign_of_rows(&a, &b, &v.value)
         } else {
             exact_linear::dot(&normal, &query.exact_generator(i)).sign()
         };
@@ -58,11 +62,10 @@ pub(super) fn touching(
             order => signs[i] = if (order == Ordering::Greater) != is_reversed { 1.0 } else { -1.0 },
         }
     }
+    let third = third?;
     let mut is_member = Reused::with_capacity(signs.len());
     is_member.resize(signs.len(), 0u32);
     members.iter().for_each(|&i| is_member[i] = 1);
-    let off_facet = (0..signs.len()).filter(|&i| is_member[i] == 0);
-    let third = farthest_from_plane(u, off_facet, |i| vectors.value(i))?;
     let mut off_plane = (0..signs.len()).filter(|&i| is_member[i] == 0).map(|i| (i, signs[i] as i8));
     let left = exact_linear::difference(&query.exact(), &query.signed_sum_of(&mut off_plane));
     if !exact_linear::dot(&normal, &left).is_zero() {
@@ -71,8 +74,11 @@ pub(super) fn touching(
     let rounded = left.each_ref().map(Dyadic::to_f64);
     let mut pair = pair;
     if members.len() > 2 {
-        let generators = members.iter().map(|&i| vectors.value(i));
-        let shares = FacetPlane::along(u, [&a, &b]).shares(generators, &rounded).ok()?;
+        let duals = [cross(&b, u), cross(u, &a)];
+        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
+        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
+        let in_plane: Reused<[f64; 2]> = members.iter().map(|&i| plane(&vectors.value(i))).collect();
+        let shares = facet_coefficients(&in_plane, plane(&rounded)).ok()?;
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = if share.abs() > NEARLY_ONE { share.signum() } else { share };
         }
@@ -117,13 +123,13 @@ struct Touched<'a, I> {
 impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
     /// The coefficients of the two for a sum of the facet's generators, if they are certainly in (−1, 1).
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
-        let start = less_multiple(*sum, -self.signs[self.third], &self.vectors.value(self.third));
-        let rest =
-            self.others.clone().fold(start, |rest, i| less_multiple(rest, self.signs[i], &self.vectors.value(i)));
-        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.vectors.bounded(i));
-        let rest = [0, 1, 2].map(|k| Bounded { value: rest[k], error: errors[k] });
-        let [first, second, _] = Triple::new(&basis).coefficients(&rest);
-        Some([first?, second?])
+        let start = minus(*sum, -self.signs[self.third], &self.vectors.value(self.third));
+        let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.vectors.value(i)));
+        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.vectors.vector(i));
+        match solve(&basis, self.vectors.determinant_error, &rest, errors)? {
+            [Some(first), Some(second), _] => Some([first, second]),
+            _ => None,
+        }
     }
 
     /// The same, exactly, if they are in [−1, 1].
@@ -134,9 +140,13 @@ impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
         });
         let [a, b] = self.pair.map(|i| self.query.exact_generator(i));
         let normal = exact_linear::cross(&a, &b);
-        // the normal has no share in a vector of the plane
-        let [first, second, _] = Triple::new(&[a, b, normal]).coefficients(&rest);
-        Some([first?, second?])
+        let square = exact_linear::dot(&normal, &normal);
+        let coefficient = |dual: &ExactVector| {
+            let numerator = exact_linear::dot(&rest, dual);
+            let is_within = !square.is_zero() && numerator.clone().abs() <= square;
+            is_within.then(|| numerator.ratio(&square).clamp(-1.0, 1.0))
+        };
+        Some([coefficient(&exact_linear::cross(&b, &normal))?, coefficient(&exact_linear::cross(&normal, &a))?])
     }
 }
 
@@ -194,7 +204,7 @@ mod tests {
                 let along = dot(v, &u);
                 if along == 0.0 { f64::from(random.random_range(-3..4)) / 4.0 } else { along.signum() }
             };
-            let p = body.iter().fold([0.0; 3], |sum, v| less_multiple(sum, -coefficient(v), v));
+            let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -coefficient(v), v));
             let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
             let answer = told(&body, p, pair);
             assert!(answer.is_none() || answer == Some(status), "{answer:?} {status} {body:?} {p:?}");

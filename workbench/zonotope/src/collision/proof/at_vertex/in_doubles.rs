@@ -14,17 +14,16 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::choice::farthest_from_plane;
-use crate::collision::proof::balance::triple::Triple;
+use crate::collision::proof::balance::three_coefficients::{minus, solve};
 use crate::collision::proof::vectors::Vectors;
-use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::{KernelQuery, Part};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{cross, dot, less_multiple, sum_norm};
+use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::tally::Rung;
@@ -223,14 +222,17 @@ impl Facet<'_> {
             return None;
         }
         let left = self.without(members.iter().copied(), signs);
-        let generators = members.iter().map(|&i| self.vectors.value(i));
-        let shares = FacetPlane::along(&self.p, [&a, &b]).shares(generators, &left.map(|c| -c)).ok()?;
+        let duals = [cross(&b, &self.p), cross(&self.p, &a)];
+        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
+        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
+        let in_plane: Reused<[f64; 2]> = members.iter().map(|&i| plane(&self.vectors.value(i))).collect();
+        let shares = facet_coefficients(&in_plane, plane(&left).map(|c| -c)).ok()?;
         let third = self.third(self.vectors.len()).filter(|third| !members.contains(third))?;
-        let mut left = less_multiple(left, signs[third], &self.vectors.value(third));
+        let mut left = minus(left, signs[third], &self.vectors.value(third));
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = share;
             if !self.pair.contains(&i) {
-                left = less_multiple(left, -share, &self.vectors.value(i));
+                left = minus(left, -share, &self.vectors.value(i));
             }
         }
         self.combined(third, left, signs)
@@ -240,14 +242,16 @@ impl Facet<'_> {
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
         let n = self.vectors.len();
-        let others = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
-        farthest_from_plane(&self.u, others, |i| self.vectors.value(i))
+        let heights = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
+        let heights = heights.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i));
+        let (height, third) = heights.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+        (height > 0.0).then_some(third)
     }
 
     /// The signed sum without some generators, whose signs are listed.
     #[inline]
     fn without(&self, generators: impl Iterator<Item = usize>, signs: &[f64]) -> [f64; 3] {
-        generators.fold(self.sum, |sum, i| less_multiple(sum, signs[i], &self.vectors.value(i)))
+        generators.fold(self.sum, |sum, i| minus(sum, signs[i], &self.vectors.value(i)))
     }
 
     /// The proof with a third generator in the basis, where `left` is the sum of all generators off the basis with
@@ -255,11 +259,11 @@ impl Facet<'_> {
     #[inline]
     fn combined(&self, third: usize, left: [f64; 3], shares: &[f64]) -> Option<Proof> {
         let basis = [self.pair[0], self.pair[1], third];
-        let rest = |k: usize| Bounded { value: self.p[k] - self.factor * left[k], error: self.errors[k] };
-        let vectors = basis.map(|i| self.vectors.bounded(i));
-        let own = Triple::new(&vectors).absorb(&[rest(0), rest(1), rest(2)])?;
+        let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
+        let own = solve(&basis.map(|i| self.vectors.vector(i)), self.vectors.determinant_error, &rest, &self.errors)?;
+        let [Some(first), Some(second), Some(last)] = own else { return None };
         let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        for (coefficient, i) in own.into_iter().zip(basis) {
+        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
             coefficients[i] = coefficient;
         }
         Some(Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients))

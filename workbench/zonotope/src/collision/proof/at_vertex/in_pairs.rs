@@ -5,17 +5,18 @@
 //! in doubt, of the sum of all generators but the two, whose products with the normal are zero and not what rounding
 //! makes of them, and of what the basis makes up for.
 
+use std::cmp::Ordering;
+
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::choice::{farthest_from_plane, well_spread};
-use crate::collision::proof::balance::triple::Triple;
+use crate::collision::proof::balance::three_coefficients::cross_terms;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::of_optimum::separation::exact_rung;
 use crate::collision::proof::vectors::Vectors;
 use crate::lad::of_generators::seam::generators::KernelQuery;
-use crate::numeric::bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear;
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
+use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
 use crate::zonotope::location::{Location, Separation, Witness};
 
@@ -33,12 +34,12 @@ pub(super) fn location_in_pairs(
     let spanning = pair.map(|i| vectors.pairs(i));
     let computed = cross(&spanning[0], &spanning[1]);
     let normal = if is_reversed { computed.map(BoundedDoubleDouble::negated) } else { computed };
-    let rounded_normal = bounded::cross(&vectors.bounded(pair[0]), &vectors.bounded(pair[1]));
+    let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
     let mut coefficients = shares.to_vec();
     // at most by so much is Σ |v · n| larger than n · S, as some signs are not certain
     let mut doubt = BoundedDoubleDouble::exact(0.0);
     for (i, v) in vectors.iter().enumerate() {
-        let is_certain = dot(&v, &rounded_normal).sign().is_some();
+        let is_certain = dot(&v.value, u).abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW;
         if pair.contains(&i) {
             coefficients[i] = 0.0;
         } else if !is_certain || shares[i].abs() < 1.0 {
@@ -83,21 +84,23 @@ fn member(
     u: &[f64; 3],
     mut coefficients: Vec<f64>,
 ) -> Option<Proof> {
-    let off_facet = (0..vectors.len()).filter(|i| !pair.contains(i));
-    let facet = [pair[0], pair[1], farthest_from_plane(u, off_facet, |i| vectors.value(i))?];
-    let (triple, rest) = left_for(query, vectors, p, facet, &mut coefficients);
-    triple.determinant.sign()?;
-    if let Some(own) = triple.absorb(&rest) {
-        return Some(proof(facet, own, coefficients));
+    let third = largest(vectors, |i, v| if pair.contains(&i) { 0.0 } else { dot(v, u).abs() })?;
+    let facet = [pair[0], pair[1], third];
+    let own = solve(query, vectors, p, facet, &mut coefficients)?;
+    if let [Some(first), Some(second), Some(last)] = own.certain {
+        return Some(proof(facet, [first, second, last], coefficients));
     }
-    for (i, numerator) in facet.into_iter().zip(triple.numerators(&rest)) {
-        let likely = (numerator.high / triple.determinant.high).clamp(-1.0, 1.0);
-        // of a generator too short to make up for anything nothing is known
-        coefficients[i] = if likely.is_nan() { 0.0 } else { likely };
+    for (i, coefficient) in facet.into_iter().zip(own.likely) {
+        coefficients[i] = coefficient.clamp(-1.0, 1.0);
     }
-    let basis = well_spread(0..vectors.len(), |i| vectors.value(i))?;
-    let (triple, rest) = left_for(query, vectors, p, basis, &mut coefficients);
-    Some(proof(basis, triple.absorb(&rest)?, coefficients))
+    let first = largest(vectors, |_, v| max_norm(v))?;
+    let a = vectors.value(first);
+    let second = largest(vectors, |_, v| max_norm(&cross(&a, v)))?;
+    let normal = cross(&a, &vectors.value(second));
+    let basis = [first, second, largest(vectors, |_, v| dot(&normal, v).abs())?];
+    let own = solve(query, vectors, p, basis, &mut coefficients)?;
+    let [Some(first), Some(second), Some(last)] = own.certain else { return None };
+    Some(proof(basis, [first, second, last], coefficients))
 }
 
 fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof {
@@ -107,17 +110,45 @@ fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof 
     Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients)
 }
 
-/// Three generators, and what all others leave of p for them; sets the coefficients of the three to zero.
-fn left_for(
+/// The generator of the largest value, if one is positive.
+fn largest(vectors: &Vectors<'_>, value: impl Fn(usize, &[f64; 3]) -> f64) -> Option<usize> {
+    let values = (0..vectors.len()).map(|i| (value(i, &vectors.value(i)), i));
+    let (largest, index) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+    (largest > 0.0).then_some(index)
+}
+
+/// The coefficients of three generators.
+struct Solution {
+    /// Those that are certainly within (−1, 1).
+    certain: [Option<f64>; 3],
+    likely: [f64; 3],
+}
+
+/// The coefficients with which three generators make up for what all others leave of p; sets their places to zero.
+fn solve(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
     p: &Pairs,
     basis: [usize; 3],
     coefficients: &mut [f64],
-) -> (Triple<BoundedDoubleDouble>, Pairs) {
+) -> Option<Solution> {
     basis.iter().for_each(|&i| coefficients[i] = 0.0);
     let off = query.combined(coefficients);
-    (Triple::new(&basis.map(|i| vectors.pairs(i))), [p[0] - off[0], p[1] - off[1], p[2] - off[2]])
+    let rest = [p[0] - off[0], p[1] - off[1], p[2] - off[2]];
+    let [a, b, c] = basis.map(|i| vectors.pairs(i));
+    let normals = cyclic_cross_products(&a, &b, &c);
+    let determinant = dot(&c, &normals[2]);
+    determinant.sign()?;
+    let mut solution = Solution { certain: [None; 3], likely: [0.0; 3] };
+    for (k, normal) in normals.iter().enumerate() {
+        let numerator = dot(&rest, normal);
+        let coefficient = (numerator.high / determinant.high).clamp(-1.0, 1.0);
+        let is_within = numerator.abs().certain_order(&determinant.abs()) == Some(Ordering::Less);
+        solution.certain[k] = is_within.then_some(coefficient);
+        // of a generator too short to make up for anything nothing is known
+        solution.likely[k] = if coefficient.is_finite() { coefficient } else { 0.0 };
+    }
+    Some(solution)
 }
 
 #[cfg(test)]

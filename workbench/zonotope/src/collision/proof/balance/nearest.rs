@@ -12,15 +12,15 @@
 use std::array;
 
 use super::solve::left_over;
-use super::triple::Triple;
 use crate::lad::of_generators::seam::frame::Frame;
 use crate::numeric::Rational;
-use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::bounded::Bounded;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear;
-use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW};
+use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::location::{Gauge, Location, Witness};
 use crate::zonotope::placed::{Placed, Standing};
 use crate::zonotope::query::Query;
@@ -76,12 +76,15 @@ fn rest<const D: usize, P: Standing>(query: &Query<'_, D, P>, coefficients: &[f6
     array::from_fn(|k| p[k] - own[k] - others[k])
 }
 
-/// A generator in doubles, the coordinates beyond D 0, with a bound of each coordinate's error.
-fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) -> BoundedVector {
+/// A generator in doubles, the coordinates beyond D 0, with a bound of its length |v|_1 of which 4 u bounds the error.
+fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) -> ([f64; 3], f64) {
     let (body, place) = body_of(query, index);
     let v = body.generators()[place];
     let v = [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0));
-    body.standing().pose().and_then(Frame::of).map_or_else(|| bounded::exact(v), |frame| frame.bounded_image(&v))
+    match body.standing().pose().and_then(Frame::of) {
+        None => (v, sum_norm(&v)),
+        Some(frame) => frame.image_with_length(&v),
+    }
 }
 
 /// The coefficients of a basis that spans the space, each the nearest double or a neighbour of it, if doubles tell.
@@ -94,17 +97,32 @@ fn in_doubles<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Wi
     }
     let pairs = rest(query, &witness.coefficients);
     let rest = [0, 1, 2].map(|k| pairs.get(k).map_or(Bounded::exact(0.0), BoundedDoubleDouble::rounded));
-    let vector = |k: usize| witness.basis.get(k).map_or(bounded::exact(AXES[k]), |&index| vector(query, index));
-    let steps = Triple::new(&[vector(0), vector(1), vector(2)]).bounded_coefficients(&rest);
-    let nearest = |(&index, Bounded { value: step, error }): (&usize, Bounded)| {
-        let off = error * LONG_SUM + PRODUCT_UNDERFLOW;
+    let vector = |k: usize| witness.basis.get(k).map_or((AXES[k], 1.0), |&index| vector(query, index));
+    let [(a, first), (b, second), (c, third)] = [vector(0), vector(1), vector(2)];
+    let normals = [cross(&b, &c), cross(&c, &a), cross(&a, &b)];
+    let determinant = dot(&a, &normals[0]);
+    let volume = first * second * third;
+    let least = determinant.abs() - DETERMINANT_OF_IMAGES * volume - PRODUCT_UNDERFLOW;
+    // false for NaN as well
+    let is_spanning = least > 0.0 && [first, second, third].iter().all(|length| MODERATE_SIZES.contains(length));
+    if !is_spanning {
+        return None;
+    }
+    let values = rest.map(|c| c.value);
+    let (size, error) = (sum_norm(&values), rest[0].error + rest[1].error + rest[2].error);
+    let nearest = |((&index, normal), length): ((&usize, &[f64; 3]), f64)| {
+        let step = dot(&values, normal) / determinant;
+        // how far the product with the normal is off, then the quotient
+        let rounding = DETERMINANT_OF_IMAGES * (volume / length);
+        let along = error * (sum_norm(normal) + rounding) + size * rounding + PRODUCT_UNDERFLOW;
+        let off = (along + step.abs() * DETERMINANT_OF_IMAGES * volume) / least + 4.0 * UNIT * step.abs();
+        let off = off * LONG_SUM + PRODUCT_UNDERFLOW;
         let start = witness.coefficients[index];
         let value = (start + step).clamp(-1.0, 1.0);
-        // false for NaN as well
         let is_beside = value.next_down() <= start + (step - off) && start + (step + off) <= value.next_up();
         is_beside.then_some(value)
     };
-    witness.basis.iter().zip(steps).map(nearest).collect()
+    witness.basis.iter().zip(&normals).zip([first, second, third]).map(nearest).collect()
 }
 
 impl Witness {

@@ -11,11 +11,10 @@
 
 use super::direction_cone::DirectionCone;
 use super::sign_pass::FixedSum;
-use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::{cyclic_cross_products, dot, max_norm, sum_norm};
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNDERFLOW, UNIT};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNDERFLOW, UNIT};
 use crate::zonotope::pose::Pose;
 
 /// The condition number, as size over least factor of a length, above which doubles have too few digits left for a
@@ -62,12 +61,11 @@ impl<'a> Frame<'a> {
         self.pose.rows().map(|row| dot(&row.map(f64::abs), x) * FIVE_ROUNDINGS)
     }
 
-    /// M v, rounded, with a bound of each coordinate's error.
+    /// M v, rounded, with a bound of its length |M v|_1; that vector is off by at most 4 u times the bound.
     #[inline]
-    pub(crate) fn bounded_image(&self, v: &[f64; 3]) -> BoundedVector {
-        let (image, sizes) = (self.image(v), self.image_of_sizes(&v.map(f64::abs)));
-        [0, 1, 2]
-            .map(|k| Bounded { value: image[k], error: 4.0 * UNIT * sizes[k] * FIVE_ROUNDINGS + PRODUCT_UNDERFLOW })
+    pub(crate) fn image_with_length(&self, v: &[f64; 3]) -> ([f64; 3], f64) {
+        // with room for what underflows in a product
+        (self.image(v), self.pose.magnitude() * sum_norm(v) + SQUARABLE_SIZES.start)
     }
 
     /// M H Mᵀ, rounded; a symmetric matrix is given by xx, xy, xz, yy, yz, zz.

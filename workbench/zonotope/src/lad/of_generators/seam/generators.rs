@@ -24,14 +24,16 @@ use std::ops::Range;
 use super::direction_cone::DirectionCone;
 use super::frame::Frame;
 use super::sign_pass::{FixedSum, Places};
-use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
+use crate::numeric::linear::sum_norm;
 use crate::numeric::signed_sum::signed_sum;
+use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
 use crate::tally::Tally;
 use crate::zonotope::placed::{Placed, Standing};
 use crate::zonotope::query::Query;
@@ -91,10 +93,15 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         self.parts().iter().filter_map(|part| part.frame).map(|frame| frame.relative_error()).fold(0.0, f64::max)
     }
 
-    /// A generator in doubles with a bound of each coordinate's error.
+    /// A generator in doubles with its length |v|_1, of an image a bound of it, of which the generator is off by at most
+    /// 4 u.
     #[inline(always)]
-    fn bounded_generator(&self, index: usize) -> BoundedVector {
-        bounded_generator_of(&self.parts(), index)
+    fn vector(&self, index: usize) -> ([f64; 3], f64) {
+        let [first, second] = self.parts();
+        match index.checked_sub(first.rows.len()) {
+            None => first.image_with_length(&first.rows.list()[index]),
+            Some(index) => second.image_with_length(&second.rows.list()[index]),
+        }
     }
 
     /// Whether no implementor of the type has a matrix, so that a pass takes both runs at once.
@@ -104,6 +111,16 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         Self: Sized,
     {
         false
+    }
+
+    /// A determinant of three generators in doubles is off by less than this part of the product of their
+    /// [lengths](Self::vector).
+    #[inline(always)]
+    fn determinant_error() -> f64
+    where
+        Self: Sized,
+    {
+        if Self::is_fixed() { DETERMINANT_OF_ROWS } else { DETERMINANT_OF_IMAGES }
     }
 
     /// The period in which sums at some y read the octets of rows: they read the last octet of each period, and all
@@ -274,15 +291,6 @@ pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f6
     }
 }
 
-/// The same with a bound of each coordinate's error.
-#[inline(always)]
-pub(crate) fn bounded_generator_of([first, second]: &[Part<'_>; 2], index: usize) -> BoundedVector {
-    match index.checked_sub(first.rows.len()) {
-        None => first.bounded_image(&first.rows.list()[index]),
-        Some(index) => second.bounded_image(&second.rows.list()[index]),
-    }
-}
-
 impl<'a> Part<'a> {
     /// The generators in doubles.
     #[inline]
@@ -312,10 +320,10 @@ impl<'a> Part<'a> {
         self.frame.map_or(*v, |frame| frame.image(v))
     }
 
-    /// The image in doubles with a bound of each coordinate's error.
+    /// The image in doubles with a bound for its length |v|_1, of which the image is off by at most 4 u.
     #[inline(always)]
-    pub(crate) fn bounded_image(&self, v: &[f64; 3]) -> BoundedVector {
-        self.frame.map_or_else(|| bounded::exact(*v), |frame| frame.bounded_image(v))
+    fn image_with_length(&self, v: &[f64; 3]) -> ([f64; 3], f64) {
+        self.frame.map_or_else(|| (*v, sum_norm(v)), |frame| frame.image_with_length(v))
     }
 
     /// Writes the generators to places of their own.
