@@ -137,7 +137,10 @@ proptest! {
     }
 
     #[test]
-    fn in_swept_volumes((generators, [p, q, v]) in (vectors(3, 0..4), [vector(3), vector(3), vector(3)]), axis in 0usize..3) {
+    fn in_swept_volumes(
+        (generators, [p, q, v]) in (vectors(3, 0..4), [vector(3), vector(3), vector(3)]),
+        axis in 0usize..3,
+    ) {
         let directions = [[0.0, 0.0, 1.0], [1.0, -2.0, 0.0], [0.3, 0.1, 0.2]];
         let body = json!({"center": p, "generators": generators, "axis_point": q, "axis": directions[axis],
             "angle": 1.25, "translation": v});

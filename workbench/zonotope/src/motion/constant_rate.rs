@@ -7,7 +7,7 @@
 
 use super::arc::Arc;
 use super::scalar::Scalar;
-use super::space_time::Sweep;
+use super::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};

@@ -11,6 +11,7 @@
 //!
 //! | file | content |
 //! |---|---|
+//! | `sweep` | an axis, an angle and a translation on any schedule |
 //! | `path` | motions and how they are made |
 //! | `piece` | a part of a rational motion, after those before it |
 //! | `constant_rate` | a rotation at constant rate and the bound of the angle by which its stretches are off |
@@ -26,5 +27,6 @@ mod piece;
 mod quaternion;
 mod scalar;
 pub mod space_time;
+mod sweep;
 
 pub use path::{KeyPose, Motion, MotionError, MotionPiece};

@@ -6,7 +6,7 @@ use super::arc::Arc;
 use super::constant_rate::{ConstantRate, LARGEST_ANGLE};
 use super::piece::{Piece, Standing};
 use super::quaternion::polar_rotation;
-use super::space_time::Sweep;
+use super::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;

@@ -45,8 +45,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::Sweep;
 use crate::motion::quaternion::{image, polar_rotation, transposed_image};
+use crate::motion::sweep::Sweep;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, is_zero, multiple, sum};

@@ -51,10 +51,10 @@
 
 use std::cmp::Ordering;
 
-use super::SweepError;
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
 use crate::motion::quaternion::{image, polar_rotation};
+use crate::motion::sweep::SweepError;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact, multiple};

@@ -47,8 +47,8 @@ use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;
 use super::parts::volume::Volume;
-use super::{Sweep, SweepError};
 use crate::enclosing::min_area;
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::Bounded;
 use crate::zonotope::Zonotope;
 

@@ -47,7 +47,7 @@ use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;
 use super::parts::volume::Volume;
-use super::{Sweep, SweepError};
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::zonotope::Zonotope;
 
 /// The volume around the middle placement.

@@ -47,7 +47,7 @@ use super::parts::angle::{cosine_and_sine, covering, largest_sine, least_cosine}
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::volume::{Volume, turned};
-use super::{Sweep, SweepError};
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::zonotope::Zonotope;
 

@@ -1,7 +1,8 @@
 //! The front door: the volume that a zonotope sweeps.
 
-use super::{Method, Sweep, SweepError, by_control_points};
+use super::{Method, by_control_points};
 use crate::motion::Motion;
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::zonotope::Zonotope;
 
 impl Zonotope<3> {

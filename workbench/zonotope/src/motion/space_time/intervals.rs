@@ -1,10 +1,11 @@
 //! A chain of volumes, one for each part of the angle: the more parts, the less lies between them and the sweep.
 
+use super::Method;
 use super::parts::angle::{cosine_and_sine, covering};
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::volume::Volume;
-use super::{Method, Sweep, SweepError};
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::zonotope::Zonotope;
 
 /// Volumes that contain all placements together: the angle is cut into equal parts, and each part has its volume by a

@@ -1,9 +1,9 @@
 //! The methods for swept volumes by name.
 
 use super::{
-    Sweep, SweepError, by_farthest_vertex, by_least_rectangle, by_least_zonogon, by_middle_placement, by_shadow,
-    by_turned_generators,
+    by_farthest_vertex, by_least_rectangle, by_least_zonogon, by_middle_placement, by_shadow, by_turned_generators,
 };
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::zonotope::Zonotope;
 
 /// A method that encloses all placements of a sweep.

@@ -17,7 +17,6 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `sweep` | the question: axis, angle and translation |
 //! | `doors` | [`Zonotope::swept`](crate::Zonotope::swept) and its kin |
 //! | `intervals` | a chain of volumes, one for each part of the angle |
 //! | [`by_control_points`] | the volume of any rational motion |
@@ -35,10 +34,9 @@ mod doors;
 mod intervals;
 mod method;
 mod parts;
-mod sweep;
 #[cfg(test)]
 mod tests;
 
+pub use super::sweep::{Sweep, SweepError};
 pub use intervals::volumes_of_intervals;
 pub use method::Method;
-pub use sweep::{Sweep, SweepError};

@@ -2,7 +2,7 @@
 
 use super::plane::Plane;
 use super::scaled_body::ScaledBody;
-use crate::motion::space_time::{Sweep, SweepError};
+use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact, is_zero, multiple, sum};

@@ -9,10 +9,10 @@ use crate::zonotope::ZonotopeError;
 /// times a translation, s from 0 to 1: each φ with each s, so that every schedule is covered.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sweep {
-    pub(super) axis_point: [f64; 3],
-    pub(super) axis: [f64; 3],
-    pub(super) angle: f64,
-    pub(super) translation: [f64; 3],
+    pub(in crate::motion) axis_point: [f64; 3],
+    pub(in crate::motion) axis: [f64; 3],
+    pub(in crate::motion) angle: f64,
+    pub(in crate::motion) translation: [f64; 3],
 }
 
 /// Why there is no volume.
