@@ -1,7 +1,7 @@
 //! Sines and cosines of rational angles in whole numbers, within a stated error.
 //!
-//! An angle is reduced by quarter turns, with so many places of π that the number of turns does not matter, and the rest
-//! goes into the series of Taylor. All rounding is of one unit at most, counted below.
+//! An angle is reduced by quarter turns, with so many places of π that the number of turns does not matter, and the
+//! rest goes into the series of Taylor. All rounding is of one unit at most, counted below.
 
 use dashu_int::IBig;
 use dashu_int::ops::{DivEuclid, RemEuclid};
@@ -12,8 +12,8 @@ pub(super) const SINE_PLACES: usize = 112;
 /// Sines and cosines are within so many units of 2^-[`SINE_PLACES`].
 ///
 /// The rest of the angle is off by 2 units. A term of a series is off by 3 units from three roundings, and by what the
-/// term before it was off, which r² / (k (k + 1)) makes a quarter of at most: by 4 units in all. There are 20 terms, and
-/// those that follow are less than 0.8^40 / 40!, no unit. 2 + 20 · 4 is less than 128.
+/// term before it was off, which r² / (k (k + 1)) makes a quarter of at most: by 4 units in all. There are 20 terms,
+/// and those that follow are less than 0.8^40 / 40!, no unit. 2 + 20 · 4 is less than 128.
 #[cfg(test)]
 pub(super) const SINE_ERROR: u32 = 128;
 
