@@ -7,7 +7,6 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use experiments::families;
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::enclosing::min_area;
 use zonotope::hull::antipodal::farthest_vertices;
@@ -20,7 +19,7 @@ const SIZES: [usize; 3] = [10_000, 100_000, 1_000_000];
 const SEED: u64 = 1;
 
 fn points(family: &str, n: usize) -> Vec<[f64; 2]> {
-    families::find(family).expect("the list above names families").generate(n, SEED)
+    families::points::find(family).expect("the list above names families").generate(n, SEED)
 }
 
 fn whole(criterion: &mut Criterion) {

@@ -9,9 +9,9 @@
 use std::env;
 use std::time::Instant;
 
-use experiments::families::bodies::{BODY_FAMILIES, NEAR_BALLS, SPACE_TIME_FAMILIES};
-use experiments::families::source::RandomSource;
 use experiments::fit::fit_growth;
+use families::bodies::{BODY_FAMILIES, NEAR_BALLS, SPACE_TIME_FAMILIES};
+use families::source::RandomSource;
 use zonotope::Zonotope;
 use zonotope::reduction::by_patches::{patch_count, patches_within};
 use zonotope::reduction::hausdorff::{Distance, excess};

@@ -8,8 +8,8 @@
 use std::env;
 use std::time::Instant;
 
-use experiments::families::bodies::question::{PLACEMENTS, Question};
-use experiments::families::bodies::{BODY_FAMILIES, BodyFamily};
+use experiments::question::{PLACEMENTS, Question};
+use families::bodies::{BODY_FAMILIES, BodyFamily};
 use zonotope::collision::by_lad;
 use zonotope::tally::{OperationCounts, Rung};
 

@@ -9,7 +9,7 @@ use std::env;
 use std::fs;
 use std::time::Instant;
 
-use experiments::families::source::RandomSource;
+use families::source::RandomSource;
 use zonotope::Zonotope;
 use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 use zonotope::enclosing::min_area;

@@ -56,7 +56,6 @@ pub fn find(id: &str) -> Option<&'static Experiment> {
 mod tests {
     use super::*;
     use crate::definition::{Profile, Quantity};
-    use crate::families;
     use crate::fit::{LAST_DOUBLINGS, SIZES_OF_LAST_DOUBLINGS};
     use crate::runner;
     use std::collections::BTreeSet;
@@ -78,7 +77,7 @@ mod tests {
     fn every_input_resolves() {
         for experiment in EXPERIMENTS {
             for id in experiment.families {
-                let found = families::find(id).is_some()
+                let found = families::points::find(id).is_some()
                     || families::lines::find(id).is_some()
                     || families::bodies::is_known(id)
                     || families::clouds::find(id).is_some();

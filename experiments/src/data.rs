@@ -5,7 +5,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use thiserror::Error;
 
-use crate::families::clouds::Cloud;
+use families::clouds::Cloud;
 
 /// A country's largest ring, as plane points (longitude, latitude) in degrees.
 #[derive(Clone, Debug, PartialEq)]

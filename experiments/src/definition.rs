@@ -5,9 +5,9 @@ mod plan;
 
 pub use plan::{Bound, FitPlan, Quantity, StatedBy};
 
-use crate::families::clouds::Cloud;
-use crate::runner::stopwatch::Stopwatch;
-use crate::{data, families, seed};
+use crate::stopwatch::Stopwatch;
+use crate::{data, seed};
+use families::clouds::Cloud;
 use std::collections::BTreeMap;
 use std::fmt;
 use zonotope::tally::OperationCounts;
@@ -190,7 +190,7 @@ impl Case {
 
     /// The instance, when the family is one of points or a real input.
     pub fn points(&self) -> Result<Vec<[f64; 2]>, String> {
-        if let Some(family) = families::find(self.family) {
+        if let Some(family) = families::points::find(self.family) {
             return Ok(family.generate(self.n, self.instance_seed));
         }
         data::points(self.family).map(<[_]>::to_vec).ok_or_else(|| format!("no points are called {}", self.family))

@@ -1,9 +1,10 @@
 //! Experiment definitions, the harness that runs them, and the instances they run on.
 //!
-//! - [`families`]: deterministic generators of point sets and line sets; [`data`]: real inputs, compiled in.
+//! - [`data`]: real inputs, compiled in; [`question`]: questions about bodies whose answers are known. The instances by
+//!   family are the crate [`families`].
 //! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
 //! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]:
-//!   stable seeds.
+//!   stable seeds; [`stopwatch`]: the only place that reads a clock.
 //! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
 //! - [`findings`]: sentences about what was measured, made from records; [`measured`]: the numbers in them.
@@ -16,11 +17,12 @@ pub mod data;
 pub mod definition;
 pub mod definitions;
 pub mod environment;
-pub mod families;
 pub mod findings;
 pub mod fit;
 pub mod measured;
 pub mod peers;
+pub mod question;
 pub mod record;
 pub mod runner;
 pub mod seed;
+pub mod stopwatch;

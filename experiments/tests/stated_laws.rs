@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use experiments::definition::{Case, Measurement};
 use experiments::definitions::tree_queries;
-use experiments::families::{bodies, lines};
 use experiments::record::CountRow;
+use families::{bodies, lines};
 use zonotope::Zonotope;
 use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::cutting::cutting;

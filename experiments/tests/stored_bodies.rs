@@ -1,6 +1,6 @@
 //! The bodies that are stored for comparisons are those of the families: `ZONOTOPE_BLESS=1` writes them anew.
 
-use experiments::families::bodies::{BODY_FAMILIES, BodyFamily, NEAR_BALLS};
+use families::bodies::{BODY_FAMILIES, BodyFamily, NEAR_BALLS};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::line_families::Instance;
+use families::drawn::lines::Instance;
 
 /// An exact vector of the plane.
 pub type Vector = [RBig; 2];

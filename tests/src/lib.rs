@@ -2,12 +2,11 @@
 //!
 //! The tests themselves are in `tests/tests/`, one file or folder a subject. Nothing here is used outside of them.
 
-pub mod body_families;
+pub mod body_questions;
 pub mod dice;
 pub mod direction_families;
 pub mod kernel_twin;
 pub mod line_families;
-pub mod numbers;
 pub mod point_families;
 pub mod questions;
 pub mod runner;

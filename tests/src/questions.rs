@@ -163,6 +163,14 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
         "member_batch" => {
             with(body(dice, style, dimension, count), "points", json!(vectors(dice, style, dimension, 3)))
         }
+        "sweep" => {
+            let mut input = body(dice, style, 3, count);
+            for name in ["axis_point", "axis", "translation"] {
+                input[name] = json!(vector(dice, style, 3));
+            }
+            let angle = if dice.one_in(4) { 0.0 } else { 7.0 * dice.unit().abs() };
+            with(input, "angle", json!(angle))
+        }
         "support" => with(body(dice, style, dimension, count), "direction", json!(vector(dice, style, dimension))),
         "combinatorics" => json!({"generators": vectors(dice, style, dimension, count)}),
         "slope_selection" => json!({"generators": vectors(dice, style, 3, some + 1), "k": [1]}),

@@ -28,7 +28,7 @@ fn tables_of_the_readme_are_those_of_the_record() {
 fn the_record_names_what_exists() {
     let record = peers::committed().expect("the committed record reads as one");
     for cell in &record.cells {
-        assert!(experiments::families::bodies::find(&cell.family).is_some(), "{}", cell.family);
+        assert!(families::bodies::find(&cell.family).is_some(), "{}", cell.family);
         assert!(cell.entries.iter().all(|entry| entry.wrong + entry.failed <= entry.asked), "{cell:?}");
     }
 }

@@ -67,77 +67,61 @@ fn vectors(numbers: &mut impl Iterator<Item = f64>, dimension: usize, count: usi
     (0..count).map(|_| vector(numbers, dimension)).collect()
 }
 
-/// An input of a kind with the given numbers, in a dimension that the kind takes; all kinds must be here.
+/// The coordinates of what a kind asks about; the kinds that take any number of them are left out.
+fn coordinates(kind: &str, dimension: usize) -> usize {
+    match kind {
+        "slope_selection" | "separator" | "walk" | "upper_hull" | "collide" | "sweep" => 3,
+        "distance" | "hausdorff" | "member_batch" | "min_length_all" => dimension.min(3),
+        "min_area" => 2,
+        _ => dimension,
+    }
+}
+
+/// Motions of two bodies: a rotation at constant rate and a rational part.
+fn motions(n: &mut impl Iterator<Item = f64>) -> Value {
+    let angle = vector(n, 1)[0].take();
+    let [axis_point, axis, translation] = [(); 3].map(|()| vector(n, 3));
+    let turn = json!({"axis_point": axis_point, "axis": axis, "angle": angle, "translation": translation});
+    let [axis_point, translation] = [(); 2].map(|()| vector(n, 3));
+    let part = json!({"until": 1, "from": [1, 0, 0, 0], "to": [1, 1, 0, 0], "axis_point": axis_point,
+        "translation": translation});
+    json!({"a": turn, "b": {"pieces": [part]}})
+}
+
+/// An input with the fields of a kind and the given numbers, in a dimension that the kind takes.
 fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
+    const RULES: [&str; 8] = ["cluster", "lemma_5_5", "girard", "combastel", "pca", "scott", "adaptive", "best"];
     let mut numbers = numbers.iter().copied().cycle();
     let n = &mut numbers;
-    let planar = 2;
-    let space = 3;
-    let body = |n: &mut _, dimension, count| {
+    let dimension = coordinates(kind, dimension);
+    let body = |n: &mut _, count| {
         let center = vector(n, dimension);
         json!({"center": center, "generators": vectors(n, dimension, count)})
     };
-    let with = |mut input: Value, field: &str, value| {
-        input[field] = value;
-        input
+    let fields = KINDS.iter().find(|known| known.name == kind).expect("the kind is one of the list").fields;
+    let value = |name: &&'static str| {
+        let value = match *name {
+            "point" | "center" | "direction" | "p" | "q" => vector(n, dimension),
+            "p0" => vector(n, 2),
+            "points" if matches!(kind, "member_batch" | "min_length_dirs") => vectors(n, dimension, 3),
+            "generators" | "directions" | "points" => vectors(n, dimension, count),
+            "a" => body(n, count / 2),
+            "b" => body(n, count - count / 2),
+            "weights" => n.take(count).map(|weight| spelled(weight.abs())).collect(),
+            "epsilon" => 0.25.into(),
+            "count" => dimension.into(),
+            "rule" => RULES[count % RULES.len()].into(),
+            "k" if kind == "slope_selection" => json!([1]),
+            "k" => 1.into(),
+            "facet" => json!([0, 1, -1]),
+            "axis_point" | "axis" | "translation" => vector(n, 3),
+            "angle" => vector(n, 1)[0].take(),
+            "motion" => motions(n),
+            other => panic!("no value is made for the field `{other}` of `{kind}`"),
+        };
+        ((*name).to_owned(), value)
     };
-    match kind {
-        "member" => {
-            let point = vector(n, dimension);
-            with(body(n, dimension, count), "point", point)
-        }
-        "intersect" => {
-            let a = body(n, dimension, count / 2);
-            json!({"a": a, "b": body(n, dimension, count - count / 2)})
-        }
-        "distance" | "hausdorff" => {
-            let dimension = dimension.min(space);
-            let a = body(n, dimension, count / 2);
-            json!({"a": a, "b": body(n, dimension, count - count / 2)})
-        }
-        "collide" => {
-            let (a, b) = (body(n, space, count / 2), body(n, space, count - count / 2));
-            let angle = vector(n, 1)[0].take();
-            let turn = json!({"axis_point": vector(n, space), "axis": vector(n, space), "angle": angle,
-                "translation": vector(n, space)});
-            let still = [1, 0, 0, 0];
-            let pieces = json!([{"until": 1, "from": still, "to": [1, 1, 0, 0], "axis_point": vector(n, space),
-                "translation": vector(n, space)}]);
-            json!({"a": a, "b": b, "motion": {"a": turn, "b": {"pieces": pieces}}})
-        }
-        "approx" => json!({"generators": vectors(n, dimension, count), "epsilon": 0.25}),
-        "reduce" => {
-            let rule = ["cluster", "lemma_5_5", "girard", "combastel", "pca", "scott", "adaptive", "best"][count % 8];
-            with(with(body(n, dimension, count), "count", dimension.into()), "rule", rule.into())
-        }
-        "gauge" => {
-            json!({"p": vector(n, dimension), "q": vector(n, dimension), "generators": vectors(n, dimension, count)})
-        }
-        "member_batch" => {
-            let dimension = dimension.min(space);
-            let input = body(n, dimension, count);
-            with(input, "points", vectors(n, dimension, 3))
-        }
-        "support" => {
-            let direction = vector(n, dimension);
-            with(body(n, dimension, count), "direction", direction)
-        }
-        "combinatorics" => json!({"generators": vectors(n, dimension, count)}),
-        "slope_selection" => json!({"generators": vectors(n, space, count), "k": [1]}),
-        "separator" => json!({"generators": vectors(n, space, count), "k": 1}),
-        "walk" => json!({"generators": vectors(n, space, count), "facet": [0, 1, -1]}),
-        "upper_hull" => json!({"generators": vectors(n, space, count), "p0": vector(n, planar)}),
-        "min_area" => json!({"points": vectors(n, planar, count)}),
-        "min_length_dirs" => {
-            let weights: Vec<f64> = n.take(count).map(f64::abs).collect();
-            let weights: Value = weights.into_iter().map(spelled).collect();
-            json!({"points": vectors(n, dimension, 3), "directions": vectors(n, dimension, count), "weights": weights})
-        }
-        "min_length_all" => {
-            json!({"points": vectors(n, dimension.min(space), count), "epsilon": 0.25})
-        }
-        other => panic!("no input is made for the kind `{other}`"),
-    }
+    Value::Object(fields.iter().map(value).collect())
 }
 
 /// The structures for many points give the answers that are given without them, and these verify.

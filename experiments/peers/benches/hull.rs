@@ -6,7 +6,6 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use experiments::families;
 use geo::ConvexHull;
 use zonotope::hull::{antipodal, by_monotone_chain, convex_hull};
 
@@ -15,7 +14,7 @@ const FAMILIES: [&str; 8] =
 const SEED: u64 = 1;
 
 fn points(family: &str, n: usize) -> Vec<[f64; 2]> {
-    families::find(family).expect("the list above names families").generate(n, SEED)
+    families::points::find(family).expect("the list above names families").generate(n, SEED)
 }
 
 fn hulls(criterion: &mut Criterion) {

@@ -8,15 +8,15 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use anyhow::Context;
-use experiments::families::bodies::find;
-use experiments::families::source::RandomSource;
+use families::bodies::find;
+use families::source::RandomSource;
 use parry3d_f64::glamx::{DMat3, DQuat, DVec3};
 use parry3d_f64::math::{Pose as ParryPose, Vector};
 use parry3d_f64::query::details::intersection_test_support_map_support_map_with_params;
 use parry3d_f64::query::gjk::VoronoiSimplex;
 use zonotope::Pose;
 use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
-use zonotope::collision::{PosedQuery, by_lad};
+use zonotope::collision::{Query, by_lad};
 use zonotope::zonotope::{PreparedBody, Zonotope};
 
 const SIZES: [usize; 4] = [100, 1_000, 10_000, 100_000];
@@ -60,7 +60,7 @@ impl Motion {
             let direction = [0, 1, 2].map(|k| start[k] + slide * way[k]);
             let at = |distance: f64| Pose::new(turned.matrix(), direction.map(|c| c * distance));
             let unit = at(1.0)?;
-            let gauge = by_lad::gauge_posed(&PosedQuery::between((&bodies[0], &from), (&bodies[1], &unit))).value;
+            let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&unit))).value;
             Ok([from, at((1.0 + self.excess) / gauge)?])
         };
         (0..FRAMES).map(frame).collect()
@@ -110,8 +110,8 @@ fn run(bodies: &[PreparedBody; 2], motion: Motion) -> anyhow::Result<Outcome> {
     for (i, [from, to]) in motion.frames(bodies)?.iter().enumerate() {
         let direction = black_box([0.1, 0.3, -0.7]);
         outcome.timed(0, i, || first.absolute_sum(&direction) + second.absolute_sum(&direction));
-        let query = PosedQuery::between((first, from), (second, to));
-        let truth = outcome.timed(1, i, || by_lad::locate_posed(&query).is_member());
+        let query = Query::of_placed(first.at(from), second.at(to));
+        let truth = outcome.timed(1, i, || by_lad::locate(&query).is_member());
         let mut own = vec![outcome.timed(2, i, || warm.frame(from, to).is_member())];
         if let Some(walking) = &mut walking {
             let frame = outcome.timed(3, i, || walking.frame(from.translation(), to.translation()));

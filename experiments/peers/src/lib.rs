@@ -3,7 +3,7 @@
 //!
 //! A pass is one vectorised evaluation of the support function over the same generators: no method that reads its input
 //! once can be faster. The truth about every question is known from its construction
-//! ([`experiments::families::bodies::question`]), not from any of the methods.
+//! ([`experiments::question`]), not from any of the methods.
 //!
 //! - `contenders`: the methods; `race`: the interleaved measurement; `line_fit`: the L1 line fit against the
 //!   crate `palb`.

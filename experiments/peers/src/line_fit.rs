@@ -1,9 +1,9 @@
 //! The L1 line fit: the kernel (`zonotope::line_fit`) against the crate `palb`, the published exact solver, on the same
 //! points. A pass is the widest sum of all deviations from a line over the rows that the kernel gets.
 
-use experiments::families::source::RandomSource;
 use experiments::peers::LineFit;
 use experiments::seed;
+use families::source::RandomSource;
 use palb::{Floating, PrimalPoint, l1line};
 use std::hint::black_box;
 use std::time::Instant;

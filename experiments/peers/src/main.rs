@@ -3,9 +3,9 @@
 use anyhow::Context;
 use clap::Parser;
 use experiments::environment::Environment;
-use experiments::families::bodies::BODY_FAMILIES;
-use experiments::families::bodies::question::PLACEMENTS;
 use experiments::peers::{Cell, PeersRecord, tables};
+use experiments::question::PLACEMENTS;
+use families::bodies::BODY_FAMILIES;
 use peers::line_fit;
 use peers::race::{self, Part, Plan};
 use std::path::PathBuf;

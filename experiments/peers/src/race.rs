@@ -1,10 +1,10 @@
 //! The measurement: every contender on the same questions, turn by turn.
 
 use crate::contenders::{Answer, CONTENDERS, Contender, Work};
-use experiments::families::bodies::question::{Placement, Question};
-use experiments::families::bodies::{self, BodyFamily};
 use experiments::peers::{Cell, Entry};
+use experiments::question::{Placement, Question};
 use experiments::seed;
+use families::bodies::{self, BodyFamily};
 use std::collections::BTreeSet;
 use std::hint::black_box;
 use std::time::{Duration, Instant};

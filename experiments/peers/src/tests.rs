@@ -1,9 +1,9 @@
 use crate::contenders::{Answer, CONTENDERS};
 use crate::line_fit;
 use crate::race::{self, Part, Plan};
-use experiments::families::bodies;
-use experiments::families::bodies::question::{Placement, Question};
 use experiments::peers::{PeersRecord, tables};
+use experiments::question::{Placement, Question};
+use families::bodies;
 
 #[test]
 fn every_contender_is_right_where_the_case_is_clear() {

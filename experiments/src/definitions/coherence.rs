@@ -5,13 +5,13 @@ use crate::definition::{
     Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
-use crate::runner::stopwatch::Stopwatch;
 use crate::seed::{self, Digest};
+use crate::stopwatch::Stopwatch;
 use std::f64::consts::TAU;
 use zonotope::Pose;
 use zonotope::collision::prepared::DirectionTree;
 use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
-use zonotope::collision::{Location, PosedQuery, Query, Status, by_lad};
+use zonotope::collision::{Location, Query, Status, by_lad};
 use zonotope::interop::verifier::check_location;
 use zonotope::tally::{Operation, OperationCounts, Tally};
 use zonotope::zonotope::{PreparedBody, Zonotope};
@@ -139,8 +139,8 @@ impl Motion {
                     (tracked.status(), location, 0)
                 }
                 (None, None) => {
-                    let query = PosedQuery::between((fixed, &still), (moving, &pose(place)?));
-                    let location = by_lad::locate_posed_counted(&query, tally);
+                    let query = Query::of_placed(fixed.at(&still), moving.at(&pose(place)?));
+                    let location = by_lad::locate_counted(&query, tally);
                     (location.status(), is_proved.then_some(location), 0)
                 }
             };

@@ -1,8 +1,9 @@
 //! The methods of collision by name, and the questions of a case, for every experiment on them.
 
 use crate::definition::{Case, Verdict};
-use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
+use crate::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
+use rivals::by_gjk::{self, GjkAnswer};
 use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program};
 use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
@@ -122,7 +123,7 @@ pub(super) fn is_rounded(variant: &str) -> bool {
 
 /// Whether a method's answers are proven, so that none may be wrong.
 pub(super) fn is_exact(variant: &str) -> bool {
-    Method::from_id(variant).is_none_or(Method::is_exact)
+    variant != "by_gjk"
 }
 
 /// Whether a method takes the displacement for a member, be the method exact or not; none if it gives up.
@@ -134,10 +135,10 @@ pub(super) fn guess(
 ) -> Result<Option<bool>, String> {
     let proven = |engine: &dyn Engine| by_linear_program::locate(displacement, engine).is_member();
     Ok(match variant {
-        "by_gjk" => match Method::ByGjk.locate(displacement, seed, tally).map_err(|error| error.to_string())? {
-            Finding::Located(location) => Some(location.is_member()),
-            Finding::Member(is_member) => Some(is_member),
-            Finding::Undecided => None,
+        "by_gjk" => match by_gjk::locate(displacement, tally) {
+            GjkAnswer::Intersecting => Some(true),
+            GjkAnswer::Disjoint { .. } => Some(false),
+            GjkAnswer::GaveUp => None,
         },
         "clarabel" => proven(&Clarabel),
         "microlp" => proven(&Microlp),

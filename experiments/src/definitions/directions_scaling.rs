@@ -2,8 +2,8 @@
 
 use super::fixed_directions_methods;
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
-use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
+use families::clouds::{self, Cloud};
 
 const SIZES: PerProfile<&[usize]> =
     PerProfile { quick: &[6, 8, 12, 16, 24, 32], full: &[6, 8, 12, 16, 24, 32, 48, 64, 96] };

@@ -1,8 +1,8 @@
 //! The quality with which zonotopes enclose solids, random hulls and real inputs.
 
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
-use crate::families::clouds::Cloud;
 use crate::seed::Digest;
+use families::clouds::Cloud;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, few_generators};
 use zonotope::hull::in_space::solid_hull;

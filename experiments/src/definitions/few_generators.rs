@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 
 use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
-use crate::families::clouds::Cloud;
 use crate::seed::Digest;
+use families::clouds::Cloud;
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, few_generators};
 use zonotope::hull::in_space::solid_hull;
 use zonotope::interop::verifier::check_min_length_all_at_any_ratio;

@@ -2,8 +2,8 @@
 //! of an answer.
 
 use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdict};
-use crate::families::clouds::{Cloud, on_sphere};
 use crate::seed::{self, Digest};
+use families::clouds::{Cloud, on_sphere};
 use zonotope::enclosing::fixed_directions::{DirectedZonotope, Enclosure, FixedDirections, Method};
 use zonotope::interop::verifier::{check_min_length_dirs, check_min_length_dirs_bounds};
 use zonotope::tally::{Operation, OperationCounts, Tally};

@@ -1,8 +1,8 @@
 //! The gap between length and lower bound, round by round.
 
 use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
-use crate::families::clouds::{self, Cloud};
 use crate::seed::Digest;
+use families::clouds::{self, Cloud};
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
 use zonotope::tally::{OperationCounts, Tally};
 

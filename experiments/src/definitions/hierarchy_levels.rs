@@ -2,9 +2,9 @@
 
 use super::collision_methods::PROVED;
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
-use crate::families::source::RandomSource;
 use crate::fit::GrowthModel;
 use crate::seed::{self, Digest};
+use families::source::RandomSource;
 use zonotope::collision::hierarchy::Hierarchy;
 use zonotope::collision::{Query, Status};
 use zonotope::interop::verifier::check_location;

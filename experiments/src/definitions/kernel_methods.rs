@@ -1,8 +1,8 @@
 //! The kernel's instances and methods by name, for every experiment on it.
 
 use crate::definition::{Case, Variant};
-use crate::families::lines;
 use crate::seed::Digest;
+use families::lines;
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
 use zonotope::hull::{ConvexHull, convex_hull};

@@ -1,9 +1,9 @@
 //! The ratio to which nets and column generation come to the least total length, and with how many directions.
 
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
-use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
+use families::clouds::{self, Cloud};
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, Net};
 use zonotope::tally::OperationCounts;
 

@@ -2,8 +2,8 @@
 
 use super::fixed_directions_methods::{digest, solve};
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
-use crate::families::clouds::Cloud;
 use crate::fit::GrowthModel;
+use families::clouds::Cloud;
 use zonotope::enclosing::fixed_directions::FixedDirections;
 use zonotope::enclosing::min_total_length::direction_net::cell_middles;
 use zonotope::interop::verifier::check_min_length_dirs_bounds;

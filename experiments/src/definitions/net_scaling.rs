@@ -2,8 +2,8 @@
 
 use super::length_ratio::{digest, verdict};
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
-use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
+use families::clouds::{self, Cloud};
 use zonotope::enclosing::min_total_length::{Method, Net};
 use zonotope::tally::{Operation, OperationCounts};
 

@@ -1,6 +1,6 @@
 //! Queries about a body that stays, for the experiments on structures that are built once.
 
-use crate::families::bodies::question::{PLACEMENTS, Question};
+use crate::question::{PLACEMENTS, Question};
 use crate::seed;
 
 /// A question for each placement that a body of some generators around the origin admits, but for touching: a point on

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::fixed_directions_methods::{digest, directions, solve};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
-use crate::families::clouds::Cloud;
 use crate::seed::Digest;
+use families::clouds::Cloud;
 use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program::extreme_points_of};
 use zonotope::interop::verifier::check_min_length_dirs_bounds;
 use zonotope::tally::OperationCounts;

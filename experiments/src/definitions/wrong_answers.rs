@@ -2,7 +2,7 @@
 
 use super::{BODY_FAMILIES, collision_methods};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
-use crate::families::bodies::question::{PLACEMENTS, Question};
+use crate::question::{PLACEMENTS, Question};
 use crate::seed::{self, Digest};
 use zonotope::tally::OperationCounts;
 

@@ -1,6 +1,6 @@
 //! Sentences about section 5.1, and about the explicit faces.
 
-use super::Findings;
+use super::finding::Findings;
 use super::words::{course, number, percent, plain, ratio, span, title};
 use crate::catalog;
 use crate::definition::Quantity;

@@ -1,6 +1,6 @@
 //! Sentences about sections 4.2 and 4.3, and about the questions of section 7 that have a part of an answer.
 
-use super::Findings;
+use super::finding::Findings;
 use super::words::{course, number, plain, ratio, span, title};
 use crate::catalog;
 use crate::definition::Quantity;

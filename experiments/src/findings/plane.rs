@@ -1,6 +1,6 @@
 //! Sentences about sections 4 and 4.1.
 
-use super::Findings;
+use super::finding::Findings;
 use super::words::{number, per_size, percent, plain, ratio, span};
 use crate::data::outlines;
 use crate::definition::Quantity;

@@ -1,6 +1,6 @@
 //! Sentences about section 5.2.
 
-use super::Findings;
+use super::finding::Findings;
 use super::words::{course, per_size, plain, ratio, span};
 use crate::definition::Quantity;
 

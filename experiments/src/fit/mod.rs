@@ -31,6 +31,7 @@
 //! # Checked by
 //! Synthetic data of known growth, and regressions worked out by hand, in the tests.
 
+mod estimate;
 mod f_distribution;
 mod model;
 mod regression;
@@ -38,6 +39,7 @@ mod replicates;
 mod student;
 mod verdict;
 
+pub use self::estimate::Estimate;
 pub use f_distribution::f_upper_tail;
 pub use model::GrowthModel;
 pub use replicates::{LACK_OF_FIT_LEVEL, LackOfFit};
@@ -62,17 +64,6 @@ pub const FEWEST_SIZES: usize = 3;
 
 /// Residuals in log space below this are rounding: a floor under the mean square keeps AICc finite on exact data.
 const LOG_RESOLUTION: f64 = 1e-12;
-
-/// A number with its 95 % confidence interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Estimate {
-    /// Least-squares value.
-    pub value: f64,
-    /// Lower end of the interval.
-    pub low: f64,
-    /// Upper end of the interval.
-    pub high: f64,
-}
 
 /// One model, fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -1,5 +1,5 @@
 use super::*;
-use crate::families::source::RandomSource;
+use families::source::RandomSource;
 
 /// Sizes 2^6 .. 2^18, three samples each, of `growth` times a log-normal factor.
 fn synthetic(growth: impl Fn(f64) -> f64, noise: f64) -> Vec<(f64, f64)> {

@@ -1,6 +1,6 @@
 //! The verdict of samples on a bound from above, by an interval and a slack that was fixed beforehand.
 
-use super::Estimate;
+use super::estimate::Estimate;
 use serde::Serialize;
 
 /// The height above zero that the exponent of y / M(n) may have for lower-order terms alone.

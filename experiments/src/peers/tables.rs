@@ -1,7 +1,8 @@
 //! The record as tables.
 
-use super::{PeersRecord, median};
-use crate::families::bodies::{self, question::PLACEMENTS};
+use super::record::{PeersRecord, median};
+use crate::question::PLACEMENTS;
+use families::bodies;
 use std::collections::BTreeSet;
 
 /// The name for people of a contender.

@@ -1,12 +1,12 @@
 //! Which cases an experiment has, in the order of the record files.
 
+use crate::data;
 use crate::definition::{Case, Experiment, Profile};
-use crate::{data, families};
 
 /// The cases of `experiment`: real inputs first, then families by size, then variants and instances.
 pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec<Case> {
     let real = experiment.real_inputs.iter().map(|&name| (name, own_size(name).unwrap_or(0), 1));
-    let instances = |family| match families::find(family) {
+    let instances = |family| match families::points::find(family) {
         Some(family) if !family.is_random => 1,
         _ => experiment.instances.get(profile),
     };

@@ -1,7 +1,8 @@
 //! The counting pass: all cases, in parallel, largest first; rows come back in the order of the cases.
 
+use super::cases;
 use super::journal::Journal;
-use super::{Progress, RunOptions, cases, guarded};
+use super::options::{Progress, RunOptions, guarded};
 use crate::definition::{Case, Experiment};
 use crate::record::CountRow;
 use rayon::prelude::*;

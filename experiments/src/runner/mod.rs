@@ -12,50 +12,17 @@
 mod cases;
 mod counting;
 mod journal;
-pub mod stopwatch;
+mod options;
 mod timing;
 
+pub use self::options::{Progress, RunOptions};
 pub use cases::{cases, own_size, timed_groups};
 
-use crate::definition::{Experiment, Profile};
+use crate::definition::Experiment;
 use crate::environment::Environment;
 use crate::record::{CountRow, TimeRow};
-use std::any::Any;
 use std::io;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-
-/// The options of a run.
-#[derive(Clone, Debug)]
-pub struct RunOptions {
-    /// The profile.
-    pub profile: Profile,
-    /// Master seed: every other seed is derived from it.
-    pub seed: u64,
-    /// Threads for counting; 0 for all processors. Timing always uses one.
-    pub threads: usize,
-    /// The folder of the records; nothing is written without it.
-    pub directory: Option<PathBuf>,
-    /// Whether to time after counting.
-    pub times: bool,
-    /// A name for the content of inputs that are not part of the program; empty without any. Rows that a run with other
-    /// inputs has left behind are not kept.
-    pub own_inputs: String,
-}
-
-/// Hears how a run proceeds; the program draws a bar from it.
-pub trait Progress: Sync {
-    /// `total` steps of a phase follow, `done` of which an earlier run has left behind.
-    fn phase(&self, name: &str, total: usize, done: usize);
-    /// A step is finished.
-    fn step(&self, case: &str);
-}
-
-/// Progress that nobody hears.
-impl Progress for () {
-    fn phase(&self, _: &str, _: usize, _: usize) {}
-    fn step(&self, _: &str) {}
-}
 
 /// Everything a run recorded, in a fixed order.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,20 +139,6 @@ impl Store<'_> {
         journal::write_atomically(&directory.join("times.jsonl"), &journal::json_lines(&records.times)?)?;
         journals.into_iter().flatten().try_for_each(journal::Journal::remove)
     }
-}
-
-/// Runs `work`; a panic becomes an error with its message.
-fn guarded<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| Err(panic_message(payload.as_ref())))
-}
-
-fn panic_message(payload: &(dyn Any + Send)) -> String {
-    let message = payload
-        .downcast_ref::<String>()
-        .map(String::as_str)
-        .or_else(|| payload.downcast_ref::<&str>().copied())
-        .unwrap_or("no message");
-    format!("panicked: {message}")
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
 use super::*;
-use crate::definition::{Case, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Measurement, PerProfile, Profile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::record::{CountOutcome, TimeOutcome};
 use std::collections::BTreeMap;
 use std::fs;

@@ -4,11 +4,12 @@
 //! that drift of the machine falls on all of them alike. Journals hold whole groups only.
 
 use super::journal::Journal;
-use super::stopwatch::Stopwatch;
-use super::{Progress, RunOptions, guarded, timed_groups};
+use super::options::{Progress, RunOptions, guarded};
+use super::timed_groups;
 use crate::definition::{Case, Experiment, TimedWork, Timing};
 use crate::environment::Environment;
 use crate::record::{CountOutcome, CountRow, TimeOutcome, TimeRow};
+use crate::stopwatch::Stopwatch;
 use std::collections::BTreeMap;
 use std::io;
 

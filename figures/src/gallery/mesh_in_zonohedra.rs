@@ -8,7 +8,7 @@ use crate::skin::{MESH, Skin, ZONOHEDRON, draw_inside};
 use crate::solid::{Camera, faces_of};
 use crate::style::{GREY, text_size};
 use experiments::data::mesh;
-use experiments::families::clouds::solid as platonic;
+use families::clouds::solid as platonic;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 use zonotope::enclosing::min_length;
 use zonotope::hull::in_space::solid_hull;

@@ -4,7 +4,6 @@ use dashu_ratio::RBig;
 
 use crate::definitions::plane::Point;
 use crate::definitions::space::{Body, Vector};
-use crate::instances::bodies::{BodyInstance, bodies_in_general_position};
 
 /// A facet that looks up.
 #[derive(Clone, Debug)]
@@ -17,21 +16,7 @@ pub(crate) struct UpperFacet {
     pub(crate) tile: Vec<Point>,
 }
 
-/// Bodies in general position no two of whose generators have parallel projections: every pair spans a facet that looks
-/// up.
-pub(crate) fn tilings(random: &mut rand_pcg::Pcg64Mcg, count: usize) -> Vec<(BodyInstance, Body, Vec<UpperFacet>)> {
-    let instances = bodies_in_general_position(random, count).into_iter();
-    instances
-        .filter_map(|instance| {
-            let body = instance.body();
-            let facets = upper_facets(&body);
-            let pairs = body.generators.len() * (body.generators.len() - 1) / 2;
-            (facets.len() == pairs).then_some((instance, body, facets))
-        })
-        .collect()
-}
-
-fn upper_facets(body: &Body) -> Vec<UpperFacet> {
+pub(crate) fn upper_facets(body: &Body) -> Vec<UpperFacet> {
     let looking_up = body.facets().into_iter().filter(|facet| facet.normal.0[2] > RBig::ZERO);
     looking_up
         .map(|facet| {

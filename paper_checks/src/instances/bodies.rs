@@ -6,6 +6,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::space::{Body, Vector};
+use crate::definitions::upper_hull::{UpperFacet, upper_facets};
 
 /// A body with the words that name it in a witness; its coordinates are integers.
 #[derive(Clone, Debug)]
@@ -112,6 +113,20 @@ pub fn bodies_in_general_position(random: &mut Pcg64Mcg, count: usize) -> Vec<Bo
             name: format!("random body {index} in general position"),
             center: random_vector(random, 9),
             generators: generators_in_general_position(random, index % 7 + 3, [5, 40, 1000][index % 3]),
+        })
+        .collect()
+}
+
+/// Bodies in general position no two of whose generators have parallel projections: every pair spans a facet that looks
+/// up.
+pub(crate) fn tilings(random: &mut Pcg64Mcg, count: usize) -> Vec<(BodyInstance, Body, Vec<UpperFacet>)> {
+    let instances = bodies_in_general_position(random, count).into_iter();
+    instances
+        .filter_map(|instance| {
+            let body = instance.body();
+            let facets = upper_facets(&body);
+            let pairs = body.generators.len() * (body.generators.len() - 1) / 2;
+            (facets.len() == pairs).then_some((instance, body, facets))
         })
         .collect()
 }

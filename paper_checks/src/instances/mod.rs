@@ -5,9 +5,7 @@
 //! | [`polygons`] | convex polygons and points of the plane |
 //! | [`bodies`] | zonotopes of R^3 |
 //! | `higher` | generators of R^4 and R^5 |
-//! | `sphere` | unit vectors, spread evenly |
 
 pub mod bodies;
 pub(crate) mod higher;
 pub mod polygons;
-pub(crate) mod sphere;

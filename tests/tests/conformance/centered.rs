@@ -1,9 +1,9 @@
 //! Z(O) for a given centre against the hull of the points and their reflections, on all point families.
 
 use dashu_ratio::RBig;
+use families::drawn::points::{Point, Points};
 use paper_checks::definitions::plane;
 use proptest::prelude::*;
-use tests::point_families::{Point, Points};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;

@@ -3,11 +3,12 @@
 //! Every location, the truth's included, is proved by the verifier, its status too.
 
 use dashu_ratio::RBig;
+use families::drawn::bodies::families;
 use proptest::prelude::*;
-use tests::body_families::{Asked, asked, families};
+use tests::body_questions::{Asked, asked};
 use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
-use zonotope::collision::{Finding, Gauge, Method, brute_force, by_gjk};
+use zonotope::collision::{Finding, Gauge, Method, brute_force};
 use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::numeric::dyadic::Dyadic;
@@ -15,7 +16,7 @@ use zonotope::numeric::dyadic::Dyadic;
 /// The questions of a long run for each of the thirteen families, by dimension: 21,450 in all.
 const CASES: [u32; 4] = [150, 400, 850, 250];
 
-/// The questions of a long run for each family in space, by methods that compute in floating point: 20,150 in all.
+/// The questions of a long run for each family in space, by linear programs: 20,150 in all.
 const ENGINE_CASES: u32 = 1550;
 
 /// Every exact method that works in the dimension locates as the truth does, and measures within its own error.
@@ -125,17 +126,6 @@ fn linear_programs_are_never_wrong() {
                     Answer::Undecided(_) => {}
                 }
             }
-            Ok(())
-        });
-    }
-}
-
-/// In floating point without proof, but never with a panic or without end.
-#[test]
-fn gjk_always_ends() {
-    for (_, generators) in families::<3>(8) {
-        for_all(&asked(generators), ENGINE_CASES, |asked| {
-            by_gjk::locate(&asked.displacement());
             Ok(())
         });
     }

@@ -2,10 +2,11 @@
 //! boxes in near contact; every gap is proved by the verifier, every status is that of the location's own twin.
 
 use dashu_ratio::RBig;
+use families::drawn::bodies::families;
+use families::drawn::numbers::moved_by_ulps;
 use proptest::array::{uniform3, uniform4, uniform6};
 use proptest::prelude::*;
-use tests::body_families::{Asked, asked, families};
-use tests::numbers::moved_by_ulps;
+use tests::body_questions::{Asked, asked};
 use tests::runner::for_all;
 use zonotope::collision::distance::penetration::{self, Penetration, by_facet_normals, by_inner_polytope};
 use zonotope::collision::distance::{FeatureKind, Method, brute_force, by_support_simplex};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use experiments::families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
+use families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
 use tests::runner;
 use zonotope::zonotope::faces::SignVector;
 use zonotope::zonotope::faces::brute_force::faces_by_dimension;

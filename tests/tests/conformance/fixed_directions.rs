@@ -4,8 +4,8 @@
 //! methods.
 
 use dashu_ratio::RBig;
+use families::drawn::directions::Instance;
 use proptest::prelude::*;
-use tests::direction_families::Instance;
 use tests::kernel_twin::exactly;
 use zonotope::enclosing::fixed_directions::{
     Enclosure, FixedDirections, FixedDirectionsError, brute_force, min_length_along, papers_program, rational,

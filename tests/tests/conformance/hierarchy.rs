@@ -1,9 +1,10 @@
 //! Bodies that meet or not by their levels, against answers that are known before any method is asked, on all families;
 //! every proof is verified, and levels are contained in each other exactly.
 
-use experiments::families::bodies::question::{PLACEMENTS, Question};
-use experiments::families::bodies::{BODY_FAMILIES, BodyFamily};
-use tests::body_families::{asked, families};
+use experiments::question::{PLACEMENTS, Question};
+use families::bodies::{BODY_FAMILIES, BodyFamily};
+use families::drawn::bodies::families;
+use tests::body_questions::asked;
 use tests::runner::{cases, for_all};
 use zonotope::collision::hierarchy::Hierarchy;
 use zonotope::collision::{Query, by_lad};

@@ -3,9 +3,11 @@
 use std::cmp::Ordering;
 use std::convert::identity;
 
+use families::clouds::SOLIDS;
+use families::drawn::points::Point;
 use paper_checks::definitions::plane;
 use proptest::prelude::*;
-use tests::point_families::Point;
+use zonotope::hull::in_space::solid_hull;
 use zonotope::hull::{antipodal, brute_force, convex_hull};
 use zonotope::interop::verifier::check_convex_hull;
 
@@ -36,3 +38,23 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
 }
 
 tests::test_on_point_families!(identity, CASES, agrees);
+
+/// Vertices of a Platonic solid are corners of its hull, whose volume is known.
+#[test]
+fn hulls_of_solids_have_their_volumes() {
+    let golden = (1.0 + 5f64.sqrt()) / 2.0;
+    let edge = 2.0 / golden;
+    let expected = [
+        8.0 / 3.0,
+        4.0 / 3.0,
+        8.0,
+        5.0 / 12.0 * (3.0 + 5f64.sqrt()) * 8.0,
+        (15.0 + 7.0 * 5f64.sqrt()) / 4.0 * edge * edge * edge,
+    ];
+    for (solid, volume) in SOLIDS.iter().zip(expected) {
+        let points = (solid.vertices)();
+        let hull = solid_hull(&points).expect("finite").expect("a solid spans space");
+        assert_eq!(hull.vertices().len(), points.len(), "{}", solid.name);
+        assert!((hull.volume(&points) / volume - 1.0).abs() < 1e-14, "{}", solid.name);
+    }
+}

@@ -1,8 +1,8 @@
 //! Every method of the kernel against the exact twin, on all line families, each answer with its certificate verified.
 
+use families::drawn::lines::{self, Instance};
 use proptest::prelude::*;
 use tests::kernel_twin::Exact;
-use tests::line_families::{self, Instance};
 use tests::runner::for_all;
 use zonotope::interop::verifier::check_lad;
 use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine, brute_force};
@@ -77,10 +77,10 @@ tests::test_on_line_families!(mod large: 51..=900, mixed 51..=900, LARGE_CASES, 
 
 #[test]
 fn few_barely_bounded() {
-    for_all(&line_families::barely_bounded(1..=9), CASES, agrees);
+    for_all(&lines::barely_bounded(1..=9), CASES, agrees);
 }
 
 #[test]
 fn many_barely_bounded() {
-    for_all(&line_families::barely_bounded(51..=900), LARGE_CASES, methods_agree);
+    for_all(&lines::barely_bounded(51..=900), LARGE_CASES, methods_agree);
 }

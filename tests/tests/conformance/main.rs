@@ -15,4 +15,5 @@ mod min_area;
 mod min_total_length;
 mod prepared;
 mod reduction;
+mod rivals;
 mod tracking;

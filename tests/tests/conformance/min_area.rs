@@ -3,11 +3,11 @@
 use std::convert::identity;
 
 use dashu_ratio::RBig;
+use families::drawn::numbers::power_of_two;
+use families::drawn::points::Point;
 use paper_checks::definitions::plane;
 use proptest::prelude::*;
 use tests::kernel_twin::exactly;
-use tests::numbers::power_of_two;
-use tests::point_families::Point;
 use tests::runner::for_all;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
 use zonotope::enclosing::min_area_zonogon::{Method, MinAreaZonogon, brute_force};

@@ -2,12 +2,12 @@
 //! plane the optimum is known.
 
 use dashu_ratio::RBig;
+use families::drawn::numbers::{lattice, plain, power_of_two};
+use families::drawn::points::{self, Point};
 use proptest::array::uniform;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use tests::kernel_twin::exactly;
-use tests::numbers::{lattice, plain, power_of_two};
-use tests::point_families::{self, Point};
 use tests::runner::for_all;
 use zonotope::enclosing::min_length;
 use zonotope::enclosing::min_total_length::direction_net::{cell_corners, cell_middles};
@@ -58,7 +58,7 @@ tests::test_on_point_families!(|points| points, 40, optimal_in_the_plane; generi
 
 #[test]
 fn regular_polygons_are_optimal_too() {
-    for_all(&point_families::regular_polygons(), 40, optimal_in_the_plane);
+    for_all(&points::regular_polygons(), 40, optimal_in_the_plane);
 }
 
 fn sets<const D: usize>(number: fn() -> BoxedStrategy<f64>, most: usize) -> BoxedStrategy<Vec<[f64; D]>> {

@@ -2,8 +2,8 @@
 //! and its proof holds, in rationals; and the bounds of the distance hold the exact one.
 
 use dashu_ratio::RBig;
+use families::drawn::bodies::{Generators, families};
 use proptest::prelude::*;
-use tests::body_families::{Generators, families};
 use tests::runner::for_all;
 use zonotope::Zonotope;
 use zonotope::reduction::hausdorff::{brute_force as truth, excess};

@@ -90,16 +90,16 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
         ),
         // the truth in rationals knows the distance, and proves nothing
         ("collision/distance", &["distance"], vec![collision::distance::Method::default().id()]),
+        (
+            "motion/space_time",
+            &["sweep"],
+            zonotope::motion::space_time::Method::ALL.map(zonotope::motion::space_time::Method::id).to_vec(),
+        ),
         ("reduction", &["reduce"], reduction::Method::ALL.map(reduction::Method::id).to_vec()),
-        // the other methods of this registry answer whether a point is a member, and prove nothing
         (
             "collision/doors",
             &["member", "intersect", "gauge"],
-            collision::Method::ALL
-                .iter()
-                .filter(|method| method.is_exact() || method.measures())
-                .map(|method| method.id())
-                .collect(),
+            collision::Method::ALL.iter().map(|method| method.id()).collect(),
         ),
     ]
 }

@@ -5,22 +5,25 @@ use std::collections::{BTreeMap, BTreeSet};
 use tests::sources::{LIBRARY, Source, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
-const LEVELS: [&[&str]; 6] = [
-    &["verifier"],
+const LEVELS: [&[&str]; 7] = [
+    &["families", "verifier"],
     &["zonotope"],
+    &["rivals"],
     &["experiments", "batch"],
     &["figures", "paper_checks", "peers"],
     &["zonobench"],
     &["tests"],
 ];
 
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 11] = [
     "workbench/zonotope",
     "workbench/verifier",
     "workbench/batch",
     "workbench/zonobench",
     "experiments",
+    "experiments/families",
     "experiments/peers",
+    "experiments/rivals",
     "figures",
     "paper_checks",
     "tests",

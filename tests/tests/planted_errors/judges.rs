@@ -1,85 +1,15 @@
-//! Whether a changed answer is still true: from the definition, in rationals, given an answer that is right.
+//! Parts of the judgement whether a changed answer is still true: from the definition, in rationals.
 
 use dashu_ratio::RBig;
 use serde_json::Value;
 
-use crate::bounds::{self, Known};
-use crate::enclosures;
-use crate::encounters;
-use crate::proximity;
 use crate::rationals::{absolute, dot, indices, minus, number, solved, vector, vectors};
 use crate::truth::contains;
 
 /// Figures within a relative error of this are the same but for rounding: both may be off by the stated 1e-12.
 pub const SAME: f64 = 2.01e-12;
 
-/// Whether `changed` answers the question, as `right` does. What cannot be read is false. What takes long to find of
-/// the question is kept in `known`.
-pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known: &mut Option<Known>) -> bool {
-    let judged = match kind {
-        "member" => {
-            let body = placed(input, "center");
-            let p = body.as_ref().zip(vector(&input["point"])).map(|((center, _), point)| minus(&point, center));
-            Some(same_fields(&["member", "status"], right, changed)).zip(proves(
-                &p,
-                &body.map(|(_, generators)| generators),
-                right,
-                changed,
-            ))
-        }
-        "intersect" => {
-            let bodies = placed(&input["a"], "center").zip(placed(&input["b"], "center"));
-            let p = bodies.as_ref().map(|((from, _), (to, _))| minus(to, from));
-            let generators = bodies.map(|((_, a), (_, b))| [a, b].concat());
-            Some(same_fields(&["intersects", "status"], right, changed)).zip(proves(&p, &generators, right, changed))
-        }
-        "distance" => proximity::judged(input, right, changed),
-        "collide" => encounters::judged(input, changed),
-        "gauge" => {
-            let body = placed(input, "p");
-            let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));
-            let is_same =
-                same_fields(&["at_most_one"], right, changed) && same_figure(&right["gauge"], &changed["gauge"]);
-            Some(is_same).zip(proves(&p, &body.map(|(_, generators)| generators), right, changed))
-        }
-        "member_batch" => {
-            let [old, new] = [right, changed].map(|result| result["gauge"].as_array());
-            let figures = old.zip(new).map(|(old, new)| {
-                old.len() == new.len() && old.iter().zip(new).all(|(old, new)| same_figure(old, new))
-            });
-            Some(same_fields(&["status"], right, changed)).zip(figures)
-        }
-        "support" => Some(true).zip(farthest(input, changed)),
-        "combinatorics" | "slope_selection" | "upper_hull" => Some((true, is_same(right, changed))),
-        "separator" => Some((steps(right).is_some(), steps(right) == steps(changed))),
-        "hausdorff" => bounds::of_two_bodies(input, right, changed, known),
-        "approx" | "reduce" => bounds::of_enclosing(kind, input, right, changed, known),
-        // the order of the neighbours is free
-        "walk" => {
-            let sorted = |result: &Value| {
-                let mut list = vectors(&result["neighbours"])?;
-                list.sort();
-                Some(list)
-            };
-            Some((true, sorted(right) == sorted(changed)))
-        }
-        "min_area" => enclosures::least_area(input, right, changed),
-        "min_length_dirs" => {
-            // Value and bound of an answer tell by themselves whether it is optimal.
-            if (right["status"] == "infeasible") != (changed["status"] == "infeasible") {
-                Some((false, false))
-            } else if right["status"] == "infeasible" {
-                enclosures::out_of_reach(input, changed)
-            } else {
-                enclosures::cheapest(input, right, changed)
-            }
-        }
-        "min_length_all" => enclosures::shortest(input, right, changed),
-        other => panic!("answers of the kind `{other}` are not judged"),
-    };
-    judged.is_some_and(|(first, second)| first && second)
-}
-
+/// Whether two results say the same in these fields.
 pub fn same_fields(names: &[&str], right: &Value, changed: &Value) -> bool {
     names.iter().all(|name| right[name] == changed[name])
 }
@@ -141,7 +71,7 @@ pub fn proves(
 }
 
 /// The first point of a chain and its steps; steps along one line may come in any order.
-fn steps(result: &Value) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
+pub fn steps(result: &Value) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
     let chain = vectors(&result["chain"])?;
     if chain.iter().any(|point| point.len() != 2) {
         return None;
@@ -170,7 +100,7 @@ pub fn is_same(right: &Value, changed: &Value) -> bool {
 }
 
 /// Whether value and point are those of a farthest point, but for rounding.
-fn farthest(input: &Value, changed: &Value) -> Option<bool> {
+pub fn farthest(input: &Value, changed: &Value) -> Option<bool> {
     let (u, y) = (vector(&input["direction"])?, changed["point"].as_array()?);
     let (center, generators) = placed(input, "center")?;
     let size =

@@ -12,11 +12,13 @@ mod encounters;
 mod errors;
 mod fields;
 mod judges;
+mod kinds;
 mod mutants;
 mod mutation;
 mod plain;
 mod proximity;
 mod rationals;
+mod sweeps;
 mod truth;
 
 use std::collections::BTreeMap;
@@ -47,9 +49,9 @@ fn errors_are_noticed(kind: &str, input: &Value) -> Result<usize, TestCaseError>
     for (place, result) in errors::planted(&right["result"]) {
         let wrong = json!({"id": "q", "kind": kind, "result": result});
         if matches!(check(&asked, &tree(&wrong)), Verdict::Right(_)) {
-            let verdict = judges::is_true(kind, input, &right["result"], &result, &mut known);
+            let verdict = kinds::is_true(kind, input, &right["result"], &result, &mut known);
             prop_assert!(
-                fields::are_exact(kind, &wrong) && verdict,
+                kinds::has_its_fields(kind, &wrong) && verdict,
                 "{}: {} is no answer to {}",
                 place,
                 wrong,
@@ -132,6 +134,14 @@ proptest! {
         errors_are_noticed("approx", &json!({"generators": first, "epsilon": 0.25}))?;
         let around = json!({"center": p, "generators": first, "count": p.len(), "rule": "pca"});
         errors_are_noticed("reduce", &around)?;
+    }
+
+    #[test]
+    fn in_swept_volumes((generators, [p, q, v]) in (vectors(3, 0..4), [vector(3), vector(3), vector(3)]), axis in 0usize..3) {
+        let directions = [[0.0, 0.0, 1.0], [1.0, -2.0, 0.0], [0.3, 0.1, 0.2]];
+        let body = json!({"center": p, "generators": generators, "axis_point": q, "axis": directions[axis],
+            "angle": 1.25, "translation": v});
+        errors_are_noticed("sweep", &body)?;
     }
 
     #[test]

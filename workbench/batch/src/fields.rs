@@ -2,7 +2,7 @@
 
 use zonotope::zonotope::Zonotope;
 
-use super::MAX_VECTORS;
+use super::limits::MAX_VECTORS;
 use super::nearest::{did_you_mean, nearest};
 use super::place::Place;
 use super::placement::Placement;

@@ -26,6 +26,7 @@
 //! | [`check_min_length_all`] | none is shorter by more than a factor | forces λ_j at points, Σ λ_j = 0, and the farthest vertex of Σ [−1, 1] λ_j |
 //! | [`check_reduction`] | a zonotope of few generators contains another one, how far apart they are | shares, which write each generator in terms of the enclosing ones; else none: every facet normal; none for the upper bound: the nearest point to every vertex |
 //! | [`check_hausdorff`] | how far apart two bodies are, whether one contains the other | a direction in which their support functions differ by so much; none for the upper bound: the nearest point to every vertex |
+//! | [`check_sweep`] | a zonotope contains all placements of a turning one | none: every facet normal, at every angle by stretches that are halved |
 //! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
 //! | [`check_measure`] | the volume, rounded | none: Σ abs(det) |
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
@@ -106,6 +107,7 @@ pub use lad::{Lad, LadAnswer, LadProof, check_lad};
 pub use motion::answer::{Encounter, FirstContactAnswer, FirstContactProof, FreeInterval, MovingDirection};
 pub use motion::check::{MovingBody, check_first_contact};
 pub use motion::path::{Motion, MotionPiece};
+pub use motion::sweep::{Sweep, check_sweep};
 pub use reduction::hausdorff::{HausdorffAnswer, check_hausdorff};
 pub use reduction::reduced::{Reduction, ReductionAnswer, check_reduction};
 pub use reduction::shares::Shares;

@@ -8,7 +8,8 @@
 use crate::collision::{self, distance};
 use crate::enclosing::{self, fixed_directions, min_total_length};
 use crate::reduction::{self, hausdorff};
-use crate::zonotope::combinatorics;
+use crate::zonotope::pose::Pose;
+use crate::zonotope::{AtRest, combinatorics};
 
 /// The addresses of the functions in each dimension.
 pub fn instances() -> [Vec<*const ()>; 4] {
@@ -21,8 +22,8 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         collision::Method::locate::<D> as *const (),
         collision::Method::gauge::<D> as *const (),
         collision::Method::nearest_gauge::<D> as *const (),
-        collision::brute_force::locate::<D> as *const (),
-        collision::brute_force::gauge::<D> as *const (),
+        collision::brute_force::locate::<D, AtRest> as *const (),
+        collision::brute_force::gauge::<D, AtRest> as *const (),
         distance::penetration::of_query::<D> as *const (),
         enclosing::along_directions::<D> as *const (),
         enclosing::min_length::<D> as *const (),
@@ -51,4 +52,15 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         fixed_directions::papers_program::min_length_by_papers_program_counted::<D> as *const (),
     ]);
     instances
+}
+
+/// The addresses of the functions about bodies under poses.
+pub fn instances_under_poses() -> Vec<*const ()> {
+    vec![
+        collision::by_lad::locate_counted::<3, Pose> as *const (),
+        collision::by_lad::gauge_counted::<3, Pose> as *const (),
+        collision::by_lad::nearest_gauge_counted::<3, Pose> as *const (),
+        distance::by_support_simplex::proximity_counted::<3, Pose> as *const (),
+        distance::penetration::by_inner_polytope::penetration_counted::<Pose> as *const (),
+    ]
 }

@@ -75,6 +75,7 @@
 //! | [`collision::hierarchy`] | whether bodies meet, by levels from coarse to fine | 5.2, hierarchical method |
 //! | [`collision::prepared`] | repeated queries about one body, by the structure that suits | 5.2, Lemma 5.3 |
 //! | [`collision::distance`] | Euclidean distance with nearest points and faces, and penetration depth | from 5.1, Lemma 5.1 |
+//! | [`motion::continuous`] | whether two moving bodies meet during a step of time, and when first | 6 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
 //! | [`lad::of_forms`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
@@ -88,6 +89,7 @@
 //! | [`collision::upper_hull`] | the height of the upper hull over a point | 5.1 |
 //! | [`reduction`] | a zonotope of few generators around one of many | 5.2, Lemma 5.5 |
 //! | [`reduction::hausdorff`] | the Hausdorff distance of two zonotopes, between two bounds | 5.2, H(A, B) |
+//! | [`motion::space_time`] | a zonotope around all placements of a turning one | 6, Theorem 6.1 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`hull::in_space`] | convex hull of points of space | 4.3, as what a body has to contain |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
@@ -114,7 +116,7 @@
 //! # Layers
 //!
 //! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
-//! then [`enclosing`] and [`collision`], then [`line_fit`]; [`reduction`] stands on
+//! then [`enclosing`] and [`collision`], then [`line_fit`] and [`motion`]; [`reduction`] stands on
 //! [`zonotope`].
 
 // The tables of methods name those that the feature brings.
@@ -141,9 +143,10 @@ pub mod seed;
 pub mod tally;
 pub mod zonotope;
 
-pub use collision::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
+pub use collision::{Gauge, Location, Separation, Status, Witness};
 pub use enclosing::Enclosing;
+pub use motion::Motion;
 pub use numeric::non_finite::{NonFinite, Place};
 pub use seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};
-pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError, support_of};
+pub use zonotope::{AtRest, BoundingBox, Placed, Standing, Support, Zonotope, ZonotopeError, support_of};

@@ -4,7 +4,7 @@
 use super::{Answer, Contender, Work};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
 use microlp::{ComparisonOp, Error, OptimizationDirection, Problem};
 
 /// The interior-point method of the crate `clarabel`.

@@ -8,7 +8,7 @@ mod ours;
 mod parry;
 mod parry_f32;
 
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
 
 /// A method, ready to be asked.
 pub struct Contender {

@@ -1,7 +1,8 @@
 //! The pass, and the library's own methods.
 
 use super::{Answer, Contender, Work};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
+use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
 use zonotope::collision::{Finding, Method, Query, by_lad};
 use zonotope::zonotope::{PreparedBody, Zonotope};
@@ -49,7 +50,7 @@ pub const GAUGE: Contender = Contender {
 /// The question to two bodies that were prepared beforehand.
 fn between(bodies: &[PreparedBody; 2]) -> Query<'_, 3> {
     let [a, b] = bodies;
-    Query::between_bodies(a, b)
+    Query::of_placed(a.placed(), b.placed())
 }
 
 /// Location with its proof, by the kernel on two bodies that were prepared beforehand.
@@ -86,6 +87,16 @@ pub const EXPLICIT_FACES: Contender = Contender {
     prepare: |question| location(Method::ByExplicitFaces, question),
 };
 
-/// GJK on the difference of the two bodies, as the library has it: in doubles, giving up openly.
-pub const GJK: Contender =
-    Contender { id: "by_gjk", largest: usize::MAX, prepare: |question| location(Method::ByGjk, question) };
+/// GJK on the difference of the two bodies, in doubles, giving up openly.
+pub const GJK: Contender = Contender {
+    id: "by_gjk",
+    largest: usize::MAX,
+    prepare: |question| {
+        let displacement = question.displacement();
+        Some(Box::new(move || match by_gjk::locate(&displacement, &mut ()) {
+            GjkAnswer::Intersecting => Answer::Member(true),
+            GjkAnswer::Disjoint { .. } => Answer::Member(false),
+            GjkAnswer::GaveUp => Answer::Failed,
+        }))
+    },
+};

@@ -1,7 +1,7 @@
 //! The crate `parry3d-f64`: GJK on the library's fastest support map, and on explicit polyhedra.
 
 use super::{Answer, Contender, Work};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query::details::intersection_test_support_map_support_map;
 use parry3d_f64::shape::ConvexPolyhedron;

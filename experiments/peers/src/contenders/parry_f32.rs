@@ -9,7 +9,7 @@
 //! an answer counts as wrong: the user of the method asked about the bodies.
 
 use super::{Answer, Contender, Work};
-use experiments::families::bodies::question::Question;
+use experiments::question::Question;
 use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*, u32x16};
 use parry3d::math::{Pose, Vector};
 use parry3d::query::details::intersection_test_support_map_support_map;

@@ -6,7 +6,7 @@ use zonotope::zonotope::faces::{Faces, faces};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
-use crate::instances::sphere::spread_over_hemisphere;
+use families::clouds::spiral::spread_over_hemisphere;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -4,7 +4,7 @@ use experiments::fit::GrowthModel;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
-use crate::instances::sphere::spread_over_sphere;
+use families::clouds::spiral::spread_over_sphere;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

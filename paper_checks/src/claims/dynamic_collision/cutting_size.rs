@@ -2,7 +2,7 @@
 
 use std::num::NonZeroU32;
 
-use experiments::families::bodies;
+use families::bodies;
 use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::cutting::{TrapezoidIndex, cutting};
 

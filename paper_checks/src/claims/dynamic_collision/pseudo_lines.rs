@@ -2,7 +2,8 @@
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
-use crate::definitions::upper_hull::{UpperFacet, tilings};
+use crate::definitions::upper_hull::UpperFacet;
+use crate::instances::bodies::tilings;
 use crate::instances::polygons::generator;
 
 /// The claim.

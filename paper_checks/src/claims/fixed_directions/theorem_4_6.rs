@@ -1,7 +1,7 @@
 //! Section 4.2, Theorem 4.6.
 
-use experiments::families::clouds;
 use experiments::fit::{GrowthModel, fit_growth};
+use families::clouds;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::fixed_directions::{
     Enclosure, FixedDirections, by_row_generation, papers_program, support_form,

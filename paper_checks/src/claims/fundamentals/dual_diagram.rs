@@ -8,7 +8,8 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict}
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::integer;
 use crate::definitions::space::Body;
-use crate::definitions::upper_hull::{UpperFacet, line_value, project, tilings};
+use crate::definitions::upper_hull::{UpperFacet, line_value, project};
+use crate::instances::bodies::tilings;
 use crate::instances::polygons::generator;
 
 /// The claim.

@@ -1,6 +1,5 @@
 //! Section 4.1, sixth paragraph.
 
-use experiments::families;
 use experiments::fit::GrowthModel;
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::hull::antipodal::{farthest_vertices, farthest_vertices_counted};
@@ -60,7 +59,7 @@ fn area_evidence(context: &CheckContext) -> Result<String, String> {
 }
 
 fn growth_evidence(context: &CheckContext) -> Result<String, String> {
-    let circle = families::find("circle").ok_or("there is no family of circles")?;
+    let circle = families::points::find("circle").ok_or("there is no family of circles")?;
     let mut samples = Vec::new();
     for n in SIZES {
         for instance in 0..2 {

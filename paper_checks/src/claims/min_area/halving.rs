@@ -1,6 +1,6 @@
 //! The search halves the candidate vertices.
 
-use experiments::families::random_convex;
+use families::points::random_convex;
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;

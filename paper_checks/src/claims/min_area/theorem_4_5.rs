@@ -1,6 +1,5 @@
 //! Theorem 4.5: the minimum-area zonogon in O(n log^2 n).
 
-use experiments::families;
 use experiments::fit::GrowthModel;
 use zonotope::enclosing::min_area_zonogon::Method;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
@@ -75,7 +74,7 @@ fn optimum_evidence(context: &CheckContext) -> Result<String, String> {
 
 /// The operations of the paper's own search on random convex polygons, against n log^2 n.
 fn growth_evidence(context: &CheckContext) -> Result<String, String> {
-    let family = families::find("random_convex").ok_or("the family of random convex polygons is missing")?;
+    let family = families::points::find("random_convex").ok_or("the family of random convex polygons is missing")?;
     let method = Method::from_id("by_slope_selection").ok_or("the paper's own search is not among the methods")?;
     let mut samples = Vec::new();
     for exponent in 6..=12 {

@@ -1,7 +1,7 @@
 //! Section 4.3, Theorem 4.7.
 
-use experiments::families::clouds;
 use experiments::fit::{GrowthModel, fit_growth};
+use families::clouds;
 use zonotope::enclosing::min_length;
 use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 

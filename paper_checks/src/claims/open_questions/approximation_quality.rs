@@ -1,7 +1,7 @@
 //! Section 7, first question.
 
 use dashu_ratio::RBig;
-use experiments::families::clouds;
+use families::clouds;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_length;

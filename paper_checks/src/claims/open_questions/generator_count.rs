@@ -1,6 +1,6 @@
 //! Section 7, third question.
 
-use experiments::families::clouds;
+use families::clouds;
 use zonotope::enclosing::{min_length, min_length_of_few};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};

@@ -1,6 +1,6 @@
 //! Section 5.1: the comparisons of the search.
 
-use experiments::families::bodies;
+use families::bodies;
 use zonotope::collision::Query;
 use zonotope::collision::by_slope_selection::{self, Hull};
 use zonotope::zonotope::Zonotope;

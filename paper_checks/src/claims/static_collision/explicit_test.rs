@@ -1,6 +1,6 @@
 //! Section 5.1: the test by way of the explicit polytope.
 
-use experiments::families::bodies;
+use families::bodies;
 use zonotope::collision::{Query, by_explicit_faces};
 use zonotope::tally::{Operation, OperationCounts};
 use zonotope::zonotope::Zonotope;

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
-use crate::definitions::upper_hull::tilings;
+use crate::instances::bodies::tilings;
 use crate::instances::polygons::generator;
 
 /// The claim.

@@ -6,8 +6,9 @@ use zonotope::arrangement::separator::separator;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
-use crate::definitions::upper_hull::{project, tilings};
+use crate::definitions::upper_hull::project;
 use crate::instances::bodies::doubles;
+use crate::instances::bodies::tilings;
 use crate::instances::polygons::generator;
 
 /// The claim.

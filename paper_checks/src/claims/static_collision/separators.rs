@@ -10,8 +10,9 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict}
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::integer;
 use crate::definitions::space::Body;
-use crate::definitions::upper_hull::{UpperFacet, project, tilings};
+use crate::definitions::upper_hull::{UpperFacet, project};
 use crate::growth;
+use crate::instances::bodies::tilings;
 use crate::instances::bodies::{doubles, random_vector};
 use crate::instances::polygons::generator;
 

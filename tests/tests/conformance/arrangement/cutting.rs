@@ -3,9 +3,9 @@
 use std::num::NonZeroU32;
 
 use dashu_ratio::RBig;
-use experiments::families::lines::LINE_FAMILIES;
+use families::drawn::lines::Instance;
+use families::lines::LINE_FAMILIES;
 use proptest::prelude::*;
-use tests::line_families::Instance;
 use tests::runner::cases;
 use zonotope::arrangement::cutting::{Boundary, Cutting, TrapezoidIndex, Wall, brute_force, cutting, cutting_counted};
 use zonotope::arrangement::{LineArrangement, LineIndex};

@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 
-use experiments::families::FAMILIES;
+use families::drawn::points::{Point, Points};
+use families::points::FAMILIES;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use tests::point_families::{Point, Points};
 use zonotope::arrangement::dynamic_hull::{
     Direction, HullChain, Method, PlanarPoint, Side, SiteIndex, SortedSites, Towards,
 };

@@ -3,10 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use experiments::families::bodies::BODY_FAMILIES;
+use families::bodies::BODY_FAMILIES;
+use families::drawn::bodies as drawn;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use tests::{body_families, runner};
+use tests::runner;
 use zonotope::arrangement::facet_walk::brute_force::BruteForceWalk;
 use zonotope::arrangement::facet_walk::{
     FacetEdge, FacetName, FacetWalk, HullWalk, NormalSense, ScanWalk, WalkError, adjacent_facets,
@@ -77,7 +78,7 @@ fn with_choices(
 
 #[test]
 fn walks_are_those_of_the_twin() {
-    for (name, generators) in body_families::families::<3>(GENERATOR_LIMIT) {
+    for (name, generators) in drawn::families::<3>(GENERATOR_LIMIT) {
         println!("{name}");
         runner::for_all(&with_choices(generators), CASES, agrees);
     }

@@ -1,9 +1,9 @@
 //! Slope selection against a sorted list of all crossings, on all line families, for every rank.
 
 use dashu_ratio::RBig;
+use families::drawn::lines::Instance;
 use proptest::prelude::*;
 use tests::kernel_twin::Exact;
-use tests::line_families::Instance;
 use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::slope_selection::{brute_force, randomized};
 

@@ -1,9 +1,10 @@
 //! Bodies prepared by a cutting against the exact truth and the static kernel, on all families, with the least space,
 //! the most, and one between; every proof is verified.
 
-use experiments::families::bodies::BODY_FAMILIES;
+use families::bodies::BODY_FAMILIES;
+use families::drawn::bodies::families;
 use proptest::prelude::*;
-use tests::body_families::{Asked, asked, families};
+use tests::body_questions::{Asked, asked};
 use tests::runner::{cases, for_all};
 use zonotope::Zonotope;
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;

@@ -3,8 +3,8 @@
 //!
 //! Every proof is written out and checked by the verifier.
 
-use experiments::families::bodies::question::{PLACEMENTS, Question};
-use experiments::families::bodies::{BODY_FAMILIES, BodyFamily};
+use experiments::question::{PLACEMENTS, Question};
+use families::bodies::{BODY_FAMILIES, BodyFamily};
 use tests::runner::cases;
 use zonotope::collision::prepared::DirectionTree;
 use zonotope::collision::{Gauge, Query, by_lad};

@@ -1,10 +1,11 @@
 //! The structure for repeated queries that is chosen, and all facets, against answers that are known before any method
 //! is asked, on all families; every proof is verified and every budget kept.
 
-use experiments::families::bodies::BODY_FAMILIES;
-use experiments::families::bodies::question::{PLACEMENTS, Question};
+use experiments::question::{PLACEMENTS, Question};
+use families::bodies::BODY_FAMILIES;
+use families::drawn::bodies::families;
 use proptest::prelude::*;
-use tests::body_families::{Asked, asked, families};
+use tests::body_questions::{Asked, asked};
 use tests::runner::{cases, for_all};
 use zonotope::Zonotope;
 use zonotope::collision::prepared::choice::Kind;

@@ -4,16 +4,16 @@
 mod motions;
 
 use dashu_ratio::RBig;
-use experiments::families::bodies::BODY_FAMILIES;
-use experiments::families::source::RandomSource;
+use families::bodies::BODY_FAMILIES;
+use families::source::RandomSource;
 use motions::{MOTIONS, Motion};
 use tests::runner::cases;
 use verifier::{Body, Displaced, Fraction, LocationAnswer, LocationCertificate, whole_direction};
 use zonotope::Pose;
 use zonotope::collision::distance::by_support_simplex::proximity;
 use zonotope::collision::prepared::DirectionTree;
-use zonotope::collision::tracking::{WalkingTracker, WarmTracker, brute_force};
-use zonotope::collision::{Location, PosedQuery, Query, Separation, by_lad};
+use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
+use zonotope::collision::{Location, Query, Separation, brute_force, by_lad};
 use zonotope::interop::verifier::check_location;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::{PreparedBody, Zonotope};
@@ -41,9 +41,9 @@ fn bodies(family: usize, [first, second]: [usize; 2], seed: u64) -> [Zonotope<3>
 }
 
 /// Whether the verifier takes a location of posed bodies.
-fn is_proved(query: &PosedQuery<'_>, location: &Location<3>) -> bool {
-    let (runs, poses, zero) = (query.runs(), query.poses(), [0.0; 3]);
-    let placed = poses.map(|pose| verifier::Pose {
+fn is_proved(query: &Query<'_, 3, Pose>, location: &Location<3>) -> bool {
+    let (runs, zero) = (query.runs(), [0.0; 3]);
+    let placed = query.parts().each_ref().map(|body| body.standing()).map(|pose| verifier::Pose {
         matrix: pose.matrix().iter().map(|row| row.to_vec()).collect(),
         translation: pose.translation().to_vec(),
     });
@@ -98,8 +98,8 @@ fn the_warm_kernel_answers_as_a_fresh_query_does() {
             let mut tracker = WarmTracker::new(&first, &second);
             for (i, [from, to]) in motion.iter().enumerate() {
                 let tracked = tracker.frame(from, to);
-                let query = PosedQuery::between((&bodies[0], from), (&bodies[1], to));
-                assert_eq!(tracked.status(), by_lad::locate_posed(&query).status(), "{name} frame {i}");
+                let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
+                assert_eq!(tracked.status(), by_lad::locate(&query).status(), "{name} frame {i}");
                 if query.len() <= TWIN_LIMIT && i % 4 == 0 {
                     assert_eq!(tracked.status(), brute_force::status(&query), "{name} frame {i}");
                 }
@@ -122,9 +122,9 @@ fn trees_under_poses_answer_as_a_fresh_query_does() {
         |name, bodies, motion| {
             let trees = bodies.each_ref().map(DirectionTree::new);
             for (i, [from, to]) in motion.iter().enumerate().step_by(TREE_SHARE) {
-                let query = PosedQuery::between((&bodies[0], from), (&bodies[1], to));
+                let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
                 let located = trees[0].at(from).intersection(&trees[1].at(to));
-                assert_eq!(located.status(), by_lad::locate_posed(&query).status(), "{name} frame {i}");
+                assert_eq!(located.status(), by_lad::locate(&query).status(), "{name} frame {i}");
                 if i % PROOF_SHARE == 0 {
                     let location = located.expand();
                     assert_eq!(location.status(), located.status(), "{name} frame {i}");

@@ -1,10 +1,10 @@
 //! Motions of two bodies, frame by frame, that lead through contact: where the bodies are is chosen by where they
 //! touch.
 
-use experiments::families::bodies::question::{Placement, Question};
-use experiments::families::source::RandomSource;
+use experiments::question::{Placement, Question};
+use families::source::RandomSource;
 use zonotope::Pose;
-use zonotope::collision::{PosedQuery, by_lad};
+use zonotope::collision::{Query, by_lad};
 use zonotope::zonotope::Zonotope;
 
 /// The poses of both bodies in a frame.
@@ -54,7 +54,7 @@ fn plus(a: [f64; 3], factor: f64, b: [f64; 3]) -> [f64; 3] {
 /// A multiple of a displacement at which bodies under poses touch, nearly; 1 if there is none.
 fn at_contact(bodies: &[Zonotope<3>; 2], [from, to]: &Frame, displacement: [f64; 3]) -> f64 {
     let to = Pose::new(to.matrix(), displacement).expect("finite");
-    let gauge = by_lad::gauge_posed(&PosedQuery::between((&bodies[0], from), (&bodies[1], &to))).value;
+    let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(from), bodies[1].at(&to))).value;
     if gauge.is_normal() && (1.0 / gauge).is_normal() { 1.0 / gauge } else { 1.0 }
 }
 

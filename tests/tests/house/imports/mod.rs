@@ -19,12 +19,14 @@ use self::circles::{circles, folders, rooms};
 use self::exceptions::{FACADES_IN_CIRCLES, FILES_IN_CIRCLES, ROOMS_IN_CIRCLES};
 use self::graph::{Files, Module};
 
-const CRATES: [&str; 8] = [
+const CRATES: [&str; 10] = [
     "workbench/zonotope/src",
     "workbench/verifier/src",
     "workbench/batch/src",
     "workbench/zonobench/src",
     "experiments/src",
+    "experiments/families/src",
+    "experiments/rivals/src",
     "figures/src",
     "paper_checks/src",
     "tests/src",

@@ -1,4 +1,4 @@
-//! The kinds of question that are answered: one row of a table each.
+//! The kinds of question that are answered: one value each, which owns both ends, the answer and its check.
 
 mod arrangement;
 mod bodies;
@@ -10,6 +10,9 @@ use serde_json::Value;
 
 pub use enclosing::min_area::result as min_area_result;
 
+use verifier::Verdict;
+
+use super::claimed::Traced;
 use super::fields::Fields;
 use super::refusal::Refusal;
 
@@ -34,6 +37,10 @@ pub struct Kind {
     pub methods: fn() -> Vec<&'static str>,
     /// Answers it: input, the method that was asked for, seed.
     pub(super) solve: fn(&Fields<'_>, Option<&'static str>, u64) -> Result<Solution, Refusal>,
+    /// Checks an answer to it, sharing nothing with `solve`: input, result, the method that the answer names. The
+    /// numbers of both are read here, the crate `verifier` judges them; an error is the complaint about what cannot be
+    /// read.
+    pub(super) check: fn(Traced<'_>, Traced<'_>, Option<&str>) -> Result<Verdict, String>,
 }
 
 /// Every kind that is answered.
@@ -56,6 +63,7 @@ pub static KINDS: &[Kind] = &[
     enclosing::min_area::KIND,
     enclosing::min_length_dirs::KIND,
     enclosing::min_length_all::KIND,
+    motion::sweep::KIND,
 ];
 
 /// An answer's content.

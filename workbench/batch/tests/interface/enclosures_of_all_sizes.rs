@@ -48,6 +48,27 @@ fn two_whole_points_have_one_generator_half_their_difference() {
     }
 }
 
+/// A point of the unit circle for each of `count` steps around it, `count` a multiple of 4, by quotients alone.
+fn on_circle(step: usize, count: usize) -> [f64; 2] {
+    let quarter = count / 4;
+    let t = (step % quarter) as f64 / quarter as f64;
+    let [x, y] = [1.0 - t * t, 2.0 * t].map(|c| c / (1.0 + t * t));
+    [[x, y], [-y, x], [-x, -y], [y, -x]][step / quarter % 4]
+}
+
+#[test]
+fn around_many_corners_few_generators_are_proven_to_hold_every_point() {
+    let long = std::env::var("ZONOTOPE_CASES").is_ok_and(|value| value == "long");
+    let [around_axis, across] = if long { [64, 32] } else { [20, 12] };
+    let circles =
+        (0..around_axis).flat_map(|i| (0..across).map(move |j| [on_circle(i, around_axis), on_circle(j, across)]));
+    let points: Vec<[f64; 3]> = circles.map(|[[x, y], [out, up]]| [(5.0 + out) * x, (5.0 + out) * y, up]).collect();
+    let found = right(&around(&json!(points), &json!({"epsilon": 0.01})));
+    assert_eq!(found["within_epsilon"], json!(true));
+    assert!(found["ratio"].as_f64().is_some_and(|ratio| ratio <= 1.01), "{}", found["ratio"]);
+    assert!(found["generators"].as_array().is_some_and(|list| list.len() <= 80), "{}", found["generators"]);
+}
+
 #[test]
 fn two_points_whose_difference_is_no_double_are_enclosed_by_as_many_generators_as_there_are_coordinates() {
     for points in

@@ -9,5 +9,6 @@ mod moving;
 mod near_the_largest_double;
 mod places;
 mod poses;
+mod sweeps;
 mod transcript;
 mod verdicts;

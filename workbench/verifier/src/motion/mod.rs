@@ -1,4 +1,4 @@
-//! Bodies in motion: whether two zonotopes of space meet during a step of time, and when first.
+//! Bodies in motion: whether two zonotopes of space meet during a step of time, and when first; what a body sweeps.
 //!
 //! | file | content |
 //! | --- | --- |
@@ -9,6 +9,8 @@
 //! | `meeting` | a common point at one time, or two points near each other |
 //! | `path` | motions, and their stretches between two times |
 //! | `turning` | a rotation at constant rate, enclosed by stretches |
+//! | `sweep` | a zonotope around all placements of a body that turns and translates |
+//! | `turned_arc` | the arc of a turned vector, between rational points and corners of tangents |
 //! | `sines` | sines and cosines within a stated error |
 //! | `quaternion`, `polynomial`, `root` | what these are made of |
 
@@ -22,6 +24,8 @@ mod polynomial;
 mod quaternion;
 mod root;
 mod sines;
+pub(crate) mod sweep;
 #[cfg(test)]
 mod tests;
+mod turned_arc;
 mod turning;

@@ -13,7 +13,7 @@ use crate::exact::linear::{Vector, is_zero, reduced};
 
 /// Generators of two zonotopes, no two of them parallel, whose support functions differ by as much as those of the
 /// given ones in every direction.
-pub(super) fn without_common_summands([first, second]: [&[Vector]; 2]) -> [Vec<Vector>; 2] {
+pub(crate) fn without_common_summands([first, second]: [&[Vector]; 2]) -> [Vec<Vector>; 2] {
     // The number of times that the primitive vector of a line goes into the generators of the first body, less those of
     // the second.
     let mut lines: BTreeMap<Vector, IBig> = BTreeMap::new();

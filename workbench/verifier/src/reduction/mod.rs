@@ -1,6 +1,6 @@
 //! Zonotopes around zonotopes, and how far apart two zonotopes are at most.
 
-mod difference;
+pub(crate) mod difference;
 pub(crate) mod hausdorff;
 pub(crate) mod nearest_point;
 pub(crate) mod reduced;

@@ -3,51 +3,24 @@
 mod by_length;
 mod comparison;
 mod drawing;
+mod options;
 mod solid;
 mod summary;
 
-use std::path::PathBuf;
+pub use self::options::Options;
 
 use anyhow::{anyhow, bail};
-use clap::Args;
 use serde_json::json;
 use zonotope::enclosing::min_area_zonogon::Method;
 
 use super::Ending;
-use super::asking::{Asking, Objective};
+use super::asking::Objective;
+use super::usage::question_name;
 use super::usage::{Usage, check_inputs, check_names};
-use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
 use crate::input::{Points, Reading};
 use crate::output::{Existing, Outputs, Results};
 use crate::progress::Progress;
-
-/// Options of `enclose`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The points: a table, GeoJSON, JSON, an array of NumPy or a mesh, as the extension tells; `-` is standard input.
-    file: PathBuf,
-    #[command(flatten)]
-    asking: Asking,
-    /// Write a picture of the points and the zonotope.
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
-    /// Write a zonotope of space as a mesh, Wavefront OBJ.
-    #[arg(long, value_name = "FILE")]
-    obj: Option<PathBuf>,
-    /// Write the answer with its certificate, in the format of `solve`.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Also give the optimum of least area in exact rational numbers.
-    #[arg(long)]
-    exact: bool,
-    /// Seed of the random numbers for the least area, 0 if absent: it decides the time, never the area.
-    #[arg(long)]
-    seed: Option<u64>,
-    /// Replace files that exist.
-    #[arg(long)]
-    force: bool,
-}
 
 /// Reads, solves, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {

@@ -124,3 +124,8 @@ pub(super) fn check_inputs(inputs: &[&Path]) -> Result<(), Usage> {
         _ => Err(Usage::StandardInputTwice),
     }
 }
+
+/// The id of the question that a data file stands for.
+pub(super) fn question_name(file: &Path) -> String {
+    file.file_name().map_or_else(|| "points".to_owned(), |name| name.to_string_lossy().into_owned())
+}

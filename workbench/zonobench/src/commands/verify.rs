@@ -16,7 +16,7 @@ use super::Ending;
 use super::asked::About;
 use super::asking::Asking;
 use super::table::counted;
-use super::usage::{Usage, check_inputs};
+use super::usage::{Usage, check_inputs, question_name};
 use crate::input::on_one_line;
 use batch::json::Tree;
 use batch::{Verdict, check, check_unread};
@@ -221,9 +221,4 @@ fn write_verdict(
         Verdict::Wrong(reason) => ("WRONG", on_one_line(reason)),
     };
     writeln!(output, "{id}\t{kind}\t{word}\t{reason}")
-}
-
-/// The id of the question that a data file stands for.
-pub(super) fn question_name(file: &Path) -> String {
-    file.file_name().map_or_else(|| "points".to_owned(), |name| name.to_string_lossy().into_owned())
 }

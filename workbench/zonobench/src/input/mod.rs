@@ -24,6 +24,7 @@ mod points;
 mod reading;
 mod table;
 
+pub use self::points::MAX_POINTS;
 use std::path::PathBuf;
 
 pub use body::{
@@ -38,9 +39,6 @@ pub use reading::Reading;
 
 use self::reading::Skipping;
 use crate::digest::sha256;
-
-/// The largest number of points that a file may hold.
-pub const MAX_POINTS: usize = 10_000_000;
 
 /// A data file, and how to find the points in it.
 #[derive(Debug, Clone)]
@@ -105,13 +103,4 @@ impl PointSource {
         let problem = if is_offered { Problem::Missing(Box::new(error.problem)) } else { error.problem };
         InputError { problem, ..error }
     }
-}
-
-/// Adds a point, or a generator, unless the limit is reached.
-fn push_limited<T>(points: &mut Vec<T>, point: T) -> Result<(), Problem> {
-    if points.len() >= MAX_POINTS {
-        return Err(Problem::TooMany { what: "points", limit: MAX_POINTS });
-    }
-    points.push(point);
-    Ok(())
 }

@@ -1,7 +1,6 @@
 //! Points of one dimension, as they come from a file.
 
 use super::error::Problem;
-use super::push_limited;
 
 /// Points with up to this many coordinates are read.
 pub(super) const COORDINATE_LIMIT: usize = 4;
@@ -103,4 +102,16 @@ impl Wanted {
             Self::PlaneOrSpace | Self::Any => "two to four",
         }
     }
+}
+
+/// The largest number of points that a file may hold.
+pub const MAX_POINTS: usize = 10_000_000;
+
+/// Adds a point, or a generator, unless the limit is reached.
+pub(in crate::input) fn push_limited<T>(points: &mut Vec<T>, point: T) -> Result<(), Problem> {
+    if points.len() >= MAX_POINTS {
+        return Err(Problem::TooMany { what: "points", limit: MAX_POINTS });
+    }
+    points.push(point);
+    Ok(())
 }

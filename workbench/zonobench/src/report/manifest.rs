@@ -4,6 +4,9 @@ use serde::Serialize;
 
 use crate::digest::sha256;
 
+/// The list of what a finished run wrote.
+pub const MANIFEST: &str = "manifest.json";
+
 /// A file of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct OutputFile {

@@ -3,7 +3,7 @@
 use experiments::definition::{Experiment, Profile};
 use figures::figure::Figure;
 
-use super::Evidence;
+use super::evidence::Evidence;
 use super::html::Escaped;
 
 /// The command with which a checkout runs the program.

@@ -54,31 +54,60 @@ use super::proof::tightest_facet::{TightestFacet, Vector, witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::Span;
-use crate::zonotope::location::{Gauge, Location, Separation};
+use crate::zonotope::location::{Gauge, Location, Separation, Status};
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
 /// Where the displacement lies, with a proof.
 #[inline(never)]
-pub fn locate<const D: usize>(question: &Query<'_, D>) -> Location<D> {
-    let point = question.exact().to_vec();
-    let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
-    let span = Span::of(generators.iter().cloned(), D);
-    if let Some(direction) = span.direction_to(&point) {
-        return Location::Outside(Separation::near(question, &array(direction)));
+pub fn locate<const D: usize, P: Standing>(question: &Query<'_, D, P>) -> Location<D> {
+    let (point, generators) = exactly(question);
+    match side(&point, &generators, D) {
+        Side::Beyond(direction) => Location::Outside(Separation::near(question, &array(direction))),
+        Side::Inner => Location::Inside(witness(&point, &generators)),
+        Side::Boundary => Location::Boundary(witness(&point, &generators)),
     }
-    let tightest = TightestFacet::within(&span, &point, &generators);
-    let order = tightest.along_point.cmp(&tightest.along_zonotope);
-    if order == Ordering::Greater {
-        return Location::Outside(Separation::near(question, &array(tightest.normal)));
+}
+
+/// The same without a proof, which takes longer to find than the status.
+pub fn status<const D: usize, P: Standing>(question: &Query<'_, D, P>) -> Status {
+    let (point, generators) = exactly(question);
+    match side(&point, &generators, D) {
+        Side::Beyond(_) => Status::Outside,
+        Side::Inner => Status::Inside,
+        Side::Boundary => Status::Boundary,
     }
-    let witness = witness(&point, &generators);
-    if order == Ordering::Less && span.rank() == D { Location::Inside(witness) } else { Location::Boundary(witness) }
+}
+
+/// The side of the boundary on which the displacement ends.
+enum Side {
+    /// Outside, with a direction that separates.
+    Beyond(Vector),
+    Inner,
+    Boundary,
+}
+
+fn side(point: &Vector, generators: &[Vector], dimension: usize) -> Side {
+    let span = Span::of(generators.iter().cloned(), dimension);
+    if let Some(direction) = span.direction_to(point) {
+        return Side::Beyond(direction);
+    }
+    let tightest = TightestFacet::within(&span, point, generators);
+    match tightest.along_point.cmp(&tightest.along_zonotope) {
+        Ordering::Greater => Side::Beyond(tightest.normal),
+        Ordering::Less if span.rank() == dimension => Side::Inner,
+        _ => Side::Boundary,
+    }
+}
+
+/// The displacement and the generators where they stand.
+fn exactly<const D: usize, P: Standing>(question: &Query<'_, D, P>) -> (Vector, Vec<Vector>) {
+    (question.exact().to_vec(), question.exact_generators().map(|v| v.to_vec()).collect())
 }
 
 /// The gauge; `None` when it is infinite.
-pub fn exact_gauge<const D: usize>(question: &Query<'_, D>) -> Option<Rational> {
-    let point = question.exact().to_vec();
-    let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
+pub fn exact_gauge<const D: usize, P: Standing>(question: &Query<'_, D, P>) -> Option<Rational> {
+    let (point, generators) = exactly(question);
     let span = Span::of(generators.iter().cloned(), D);
     if span.direction_to(&point).is_some() {
         return None;
@@ -89,7 +118,7 @@ pub fn exact_gauge<const D: usize>(question: &Query<'_, D>) -> Option<Rational> 
 
 /// The gauge, rounded, and the location.
 #[inline(never)]
-pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Gauge<D> {
+pub fn gauge<const D: usize, P: Standing>(question: &Query<'_, D, P>) -> Gauge<D> {
     let location = locate(question);
     let Some(exact) = exact_gauge(question) else { return Gauge { value: f64::INFINITY, error: 0.0, location } };
     let value = exact.to_f64().value().min(f64::MAX);

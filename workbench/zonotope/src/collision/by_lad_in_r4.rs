@@ -51,7 +51,7 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, Status::Outside));
 //! ```
 
-use super::proof::balance::solve::{left_over, solve};
+use super::proof::balance::solve::{absorbed, left_over, solve};
 use super::proof::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};
@@ -145,15 +145,8 @@ impl Exit<'_> {
     /// The witness with all coefficients off the basis multiplied by a factor, if it is one.
     fn scaled(&self, basis: &[usize], factor: f64) -> Option<Witness> {
         let signs = self.certificate.signs.iter();
-        let mut coefficients: Vec<f64> = signs.map(|&sign| f64::from(sign) * factor).collect();
-        let values = solve(self.question, basis, &left_over(self.question, &self.p, &coefficients, basis))?;
-        for (&b, value) in basis.iter().zip(values) {
-            if value > Rational::ONE || value < Rational::NEG_ONE {
-                return None;
-            }
-            coefficients[b] = value.to_f64().value().clamp(-1.0, 1.0);
-        }
-        Some(Witness { coefficients, basis: basis.to_vec() })
+        let coefficients = signs.map(|&sign| f64::from(sign) * factor).collect();
+        absorbed(self.question, &self.p, coefficients, basis.to_vec()).map(|(witness, _)| witness)
     }
 
     /// The witness from δ_i / λ, exactly.

@@ -14,12 +14,12 @@
 //! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables; the default there |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //! | [`by_explicit_faces`] | 1 to 3 | Ω(n²) | every facet of the explicit body |
-//! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
 //! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The
 //! methods of [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask
-//! that default; in space [`PosedZonotope`] asks about a body under a pose.
+//! that default; in space those of [`Placed`] ask about a body under a pose,
+//! or about one that was prepared.
 //!
 //! Answers of bodies go straight to a verifier; answers of a single method do so by
 //! [`Location::with_nearest_basis`].
@@ -34,9 +34,9 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
+mod answer;
 pub mod brute_force;
 pub mod by_explicit_faces;
-pub mod by_gjk;
 pub mod by_lad;
 pub mod by_lad_in_r4;
 #[cfg(feature = "linear-programming")]
@@ -53,7 +53,6 @@ pub mod upper_hull;
 pub use by_lad::{gauge, locate};
 
 pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness};
-pub use crate::zonotope::posed_query::PosedQuery;
+pub use crate::zonotope::placed::{AtRest, Placed, Standing};
 pub use crate::zonotope::query::Query;
-pub use doors::{Finding, Method, MethodError, PosedZonotope};
-pub use proof::balance::nearest::Proved;
+pub use doors::{Finding, Method, MethodError};

@@ -1,3 +1,4 @@
+use families::drawn::numbers::nudged;
 use proptest::prelude::*;
 
 use super::*;
@@ -14,11 +15,6 @@ const METHODS: [(&str, Method); 3] = [
     ("by_discarding", by_discarding::convex_hull),
 ];
 
-fn nudge(value: f64, steps: i64) -> f64 {
-    let moved = f64::from_bits(value.to_bits().wrapping_add_signed(steps));
-    if moved.is_finite() { moved } else { value }
-}
-
 fn points_of<S: Strategy<Value = f64>>(coordinate: impl Fn() -> S) -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec([coordinate(), coordinate()], 1..60)
 }
@@ -28,7 +24,7 @@ fn nearly_collinear(ulps: i64) -> impl Strategy<Value = Vec<[f64; 2]>> {
     let steps = prop::collection::vec((-20_i32..=20, -ulps..=ulps, -ulps..=ulps), 1..40);
     ([-1.0..1.0, -1.0..1.0], [-1.0..1.0, -1.0..1.0], steps).prop_map(|(origin, direction, steps)| {
         let at = |axis: usize, along: i32| origin[axis] + f64::from(along) * direction[axis];
-        steps.into_iter().map(|(k, x, y)| [nudge(at(0, k), x), nudge(at(1, k), y)]).collect()
+        steps.into_iter().map(|(k, x, y)| [nudged(at(0, k), x), nudged(at(1, k), y)]).collect()
     })
 }
 

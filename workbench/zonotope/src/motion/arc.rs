@@ -1,7 +1,7 @@
 //! A stretch of a motion: placements x ↦ P(s) + R(q(s)) (x + w), P and q linear in s on [0, 1].
 
 use super::bernstein;
-use super::quaternion::{Quaternion, conjugate, image, polar_rotation, product, sum, transposed_image};
+use super::quaternion::{Quaternion, composition, conjugate, image, polar_rotation, sum, transposed_image};
 use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::dot;
@@ -23,6 +23,7 @@ pub(super) struct Arc<T> {
 
 impl<T: Scalar> Arc<T> {
     /// |q(s)|² by its scaled Bernstein coefficients.
+    #[inline]
     pub(super) fn square(&self) -> [T; 3] {
         let [p, q] = &self.turns;
         let mixed = dot(p, q);
@@ -30,35 +31,44 @@ impl<T: Scalar> Arc<T> {
     }
 
     /// The matrices of |q(s)|² R(q(s)) as scaled Bernstein coefficients.
+    #[inline]
     pub(super) fn rotations(&self) -> [[[T; 3]; 3]; 3] {
         let [p, q] = &self.turns;
-        let mixed = polar_rotation(p, q);
-        let mixed = mixed.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)));
-        [polar_rotation(p, p), mixed, polar_rotation(q, q)]
+        let first = polar_rotation(p, p);
+        if self.is_translation {
+            let mixed = twice(&first);
+            return [first.clone(), mixed, first];
+        }
+        [first, twice(&polar_rotation(p, q)), polar_rotation(q, q)]
     }
 
     /// The matrices of |q|² |r|² R(q)⁻¹ R(r), the turn of another body as this one sees it, as scaled Bernstein
     /// coefficients.
+    #[inline]
     pub(super) fn rotations_seen(&self, other: &Self) -> [[[T; 3]; 3]; 5] {
         let [p, q] = self.turns.each_ref().map(conjugate);
         let [r, s] = &other.turns;
-        let relative = [product(&p, r), sum(&product(&p, s), &product(&q, r)), product(&q, s)];
-        std::array::from_fn(|k| {
-            let pairs = (0..3).filter(|i| (0..3).contains(&(k as isize - *i as isize)));
-            let terms = pairs.map(|i| polar_rotation(&relative[i], &relative[k - i]));
-            let added = |a: [[T; 3]; 3], b: [[T; 3]; 3]| {
-                std::array::from_fn(|i| std::array::from_fn(|j| a[i][j].plus(&b[i][j])))
-            };
-            terms.reduce(added).unwrap_or_else(|| unreachable!("each degree up to 4 is a sum of two up to 2"))
-        })
+        let relative = [composition(&p, r), sum(&composition(&p, s), &composition(&q, r)), composition(&q, s)];
+        let [first, middle, last] = &relative;
+        let (ends, square) = (twice(&polar_rotation(first, last)), polar_rotation(middle, middle));
+        let center = std::array::from_fn(|i| std::array::from_fn(|j| ends[i][j].plus(&square[i][j])));
+        [
+            polar_rotation(first, first),
+            twice(&polar_rotation(first, middle)),
+            center,
+            twice(&polar_rotation(middle, last)),
+            polar_rotation(last, last),
+        ]
     }
 
     /// The weight times the centre c + w of a body's arm.
+    #[inline]
     pub(super) fn arm_of(&self, center: &[f64; 3]) -> [T; 3] {
         [0, 1, 2].map(|k| self.weight.times(&T::of(center[k])).plus(&self.arm[k]))
     }
 
     /// u · P(s) times the weight for a fixed direction.
+    #[inline]
     pub(super) fn base_along(&self, u: &[T; 3]) -> [T; 2] {
         self.base.each_ref().map(|base| dot(u, base))
     }
@@ -92,6 +102,12 @@ impl Arc<f64> {
         let [from, to] = self.base;
         [0, 1, 2].map(|k| (turned[k] / square + (from[k] + to[k]) / 2.0) / self.weight)
     }
+}
+
+/// Twice a matrix.
+#[inline]
+fn twice<T: Scalar>(matrix: &[[T; 3]; 3]) -> [[T; 3]; 3] {
+    matrix.each_ref().map(|row| row.each_ref().map(|c| c.plus(c)))
 }
 
 /// The path from one body's base to another's, times the weights of both.

@@ -7,7 +7,7 @@ use crate::numeric::linear::Ring;
 
 /// The product of two polynomials: the coefficients of the degree that is the sum of both.
 #[inline]
-pub(super) fn product<T: Ring, const A: usize, const B: usize, const C: usize>(a: &[T; A], b: &[T; B]) -> [T; C] {
+pub(super) fn convolution<T: Ring, const A: usize, const B: usize, const C: usize>(a: &[T; A], b: &[T; B]) -> [T; C] {
     const { assert!(C + 1 == A + B, "degrees add up") }
     std::array::from_fn(|k| {
         let first = k.saturating_sub(B - 1);
@@ -20,7 +20,7 @@ pub(super) fn product<T: Ring, const A: usize, const B: usize, const C: usize>(a
 /// The same polynomial by the coefficients of the next degree.
 #[inline]
 pub(super) fn elevated<T: Ring, const A: usize, const B: usize>(a: &[T; A]) -> [T; B] {
-    product(a, &[T::ONE, T::ONE])
+    convolution(a, &[T::ONE, T::ONE])
 }
 
 /// The sum of two polynomials of one degree.
@@ -54,7 +54,7 @@ mod tests {
     #[test]
     fn products_and_elevations_have_the_values_of_their_factors() {
         let (a, b) = ([1.0, -4.0, 2.0], [3.0, 5.0]);
-        let c: [f64; 4] = product(&a, &b);
+        let c: [f64; 4] = convolution(&a, &b);
         assert_eq!(c, [3.0, -7.0, -14.0, 10.0]);
         let higher: [f64; 4] = elevated(&a);
         for s in [0.0, 0.25, 0.5, 1.0] {

@@ -7,6 +7,7 @@
 
 use super::arc::Arc;
 use super::scalar::Scalar;
+use super::space_time::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
@@ -24,6 +25,7 @@ const LARGEST_QUARTER: f64 = 0.7;
 #[derive(Debug, Clone)]
 pub(super) struct ConstantRate {
     axis_point: [f64; 3],
+    given_axis: [f64; 3],
     /// The axis over a power of two, exactly.
     axis: ExactVector,
     /// The same in doubles.
@@ -37,16 +39,42 @@ pub(super) struct ConstantRate {
 impl ConstantRate {
     /// A motion of finite numbers about an axis that is not 0.
     pub(super) fn new(axis_point: [f64; 3], axis: [f64; 3], angle: f64, translation: [f64; 3]) -> Self {
+        let given_axis = axis;
         let exponent = exact(axis).iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let axis = exact(axis).map(|c| c.scaled(-exponent));
         let bounded_axis = axis.each_ref().map(Bounded::near);
         let length = euclidean_norm(&bounded_axis.map(|c| c.value));
-        Self { axis_point, axis, bounded_axis, length, angle, translation }
+        Self { axis_point, given_axis, axis, bounded_axis, length, angle, translation }
+    }
+
+    /// The same motion with all lengths times a power of two; `None` where they leave the range of doubles.
+    pub(super) fn scaled(&self, exponent: i64) -> Option<Self> {
+        let exactly = |c: f64| {
+            let scaled = Dyadic::from_f64(c).scaled(exponent);
+            let value = scaled.to_f64();
+            (value.is_finite() && Dyadic::from_f64(value) == scaled).then_some(value)
+        };
+        let vector = |v: &[f64; 3]| Some([exactly(v[0])?, exactly(v[1])?, exactly(v[2])?]);
+        Some(Self { axis_point: vector(&self.axis_point)?, translation: vector(&self.translation)?, ..self.clone() })
+    }
+
+    /// The binary exponent of the largest length; `None` where all are zero.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        let lengths = self.axis_point.iter().chain(&self.translation);
+        lengths.filter_map(|c| Dyadic::from_f64(*c).binary_exponent()).max()
     }
 
     /// The angle in radians.
     pub(super) fn angle(&self) -> f64 {
         self.angle
+    }
+
+    /// The sweep of the motion: a turn by a negative angle is one about the opposite axis.
+    pub(super) fn as_sweep(&self) -> Sweep {
+        let sign = if self.angle < 0.0 { -1.0 } else { 1.0 };
+        let axis = self.given_axis.map(|c| sign * c);
+        Sweep::new(self.axis_point, axis, self.angle.abs(), self.translation)
+            .unwrap_or_else(|_| unreachable!("the motion was checked"))
     }
 
     /// The unit vector of the axis, rounded.
@@ -62,6 +90,11 @@ impl ConstantRate {
     /// The same stretch in doubles.
     pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
         self.between(times, &self.bounded_axis)
+    }
+
+    /// The same in doubles without bounds.
+    pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        self.between(times, &self.bounded_axis.map(|c| c.value))
     }
 
     /// A bound of the angle between a placement of the motion and that of the stretch at the same time.

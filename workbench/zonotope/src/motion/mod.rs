@@ -6,6 +6,7 @@
 //!
 //! | module | problem | in the paper |
 //! |---|---|---|
+//! | [`space_time`] | a zonotope around all placements of a moving body | 6, Theorem 6.1 |
 //! | [`continuous`] | whether two moving bodies meet during a step, and when first | 6 |
 //!
 //! | file | content |
@@ -24,5 +25,6 @@ mod path;
 mod piece;
 mod quaternion;
 mod scalar;
+pub mod space_time;
 
 pub use path::{KeyPose, Motion, MotionError, MotionPiece};

@@ -6,6 +6,7 @@ use super::arc::Arc;
 use super::constant_rate::{ConstantRate, LARGEST_ANGLE};
 use super::piece::{Piece, Standing};
 use super::quaternion::polar_rotation;
+use super::space_time::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;
@@ -199,13 +200,40 @@ impl Motion {
     /// The placement at a time from 0 to 1, rounded: a matrix that is a rotation but for rounding, and a translation.
     /// `None` where a coordinate leaves the range of doubles.
     pub fn pose_at(&self, time: f64) -> Option<Pose> {
-        let arc = self.arc([time, time]);
+        let arc = self.rounded_arc([time, time]);
         let turn = &arc.turns[0];
-        let square = dot(turn, turn).value;
-        let rotation = polar_rotation(turn, turn).map(|row| row.map(|c| c.value / square));
-        let weight = arc.weight.value;
-        let moved = |k: usize| dot(&rotation[k], &arc.arm.map(|c| c.value / weight)) + arc.base[0][k].value / weight;
+        let square = dot(turn, turn);
+        let mut rotation = polar_rotation(turn, turn);
+        rotation.as_flattened_mut().iter_mut().for_each(|c| *c /= square);
+        let arm = arc.arm.map(|c| c / arc.weight);
+        let moved = |k: usize| dot(&rotation[k], &arm) + arc.base[0][k] / arc.weight;
         Pose::new(rotation, [0, 1, 2].map(moved)).ok()
+    }
+
+    /// The same motion with all lengths times a power of two, exactly; `None` where they leave the range of doubles.
+    pub(super) fn scaled(&self, exponent: i64) -> Option<Self> {
+        match &self.0 {
+            Kind::Rational(pieces) => {
+                Some(Self(Kind::Rational(pieces.iter().map(|piece| piece.scaled(exponent)).collect())))
+            }
+            Kind::ConstantRate(motion) => Some(Self(Kind::ConstantRate(Box::new(motion.scaled(exponent)?)))),
+        }
+    }
+
+    /// The binary exponent of the largest length, or one more; `None` where all are zero.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        match &self.0 {
+            Kind::Rational(pieces) => pieces.iter().filter_map(Piece::size_exponent).max(),
+            Kind::ConstantRate(motion) => motion.size_exponent(),
+        }
+    }
+
+    /// The sweep whose placements a rotation at constant rate goes through; `None` for a rational motion.
+    pub(super) fn as_sweep(&self) -> Option<Sweep> {
+        match &self.0 {
+            Kind::Rational(_) => None,
+            Kind::ConstantRate(motion) => Some(motion.as_sweep()),
+        }
     }
 
     /// The times strictly between two others at which a stretch must end: those at which a part of the motion ends.
@@ -238,6 +266,14 @@ impl Motion {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).arc(times),
             Kind::ConstantRate(motion) => motion.arc(times),
+        }
+    }
+
+    /// The same in doubles without bounds.
+    fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        match &self.0 {
+            Kind::Rational(pieces) => self.piece_at(pieces, times).rounded_arc(times),
+            Kind::ConstantRate(motion) => motion.rounded_arc(times),
         }
     }
 

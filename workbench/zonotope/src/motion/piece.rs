@@ -1,7 +1,7 @@
 //! A piece of a rational motion: a quaternion linear in time and a base that moves along a segment.
 
 use super::arc::Arc;
-use super::quaternion::{Quaternion, conjugate, image, multiple, polar_rotation, product, sum};
+use super::quaternion::{Quaternion, composition, conjugate, image, multiple, polar_rotation, sum};
 use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
@@ -29,6 +29,7 @@ pub(super) struct Piece {
     pub(super) until: f64,
     exact: Path<Dyadic>,
     bounded: Path<Bounded>,
+    rounded: Path<f64>,
     is_translation: bool,
 }
 
@@ -68,7 +69,7 @@ impl Piece {
         let scaled = |v: &ExactVector| exact_linear::multiple(&turned, v);
         let piece = Path {
             times: times.map(Dyadic::from_f64),
-            turns: [product(&from, turn), product(&to, turn)],
+            turns: [composition(&from, turn), composition(&to, turn)],
             base: scaled(&point),
             travel: scaled(&translation),
             arm,
@@ -77,7 +78,7 @@ impl Piece {
         let square = dot(&to, &to);
         let end = exact_linear::multiple(&(&square * weight), &exact_linear::sum(&point, &translation));
         let left = Standing {
-            turn: product(&to, turn),
+            turn: composition(&to, turn),
             offset: exact_linear::sum(&end, &image(&polar_rotation(&to, &to), &off)),
             weight: &square * weight,
         };
@@ -101,12 +102,33 @@ impl Piece {
     fn of([from, until]: [f64; 2], mut path: Path<Dyadic>) -> Self {
         scale_down(path.turns.as_flattened_mut());
         let is_translation = path.turns[0] == path.turns[1];
-        Self { from, until, bounded: path.near(), exact: path, is_translation }
+        Self { from, until, bounded: path.near(), rounded: path.near(), exact: path, is_translation }
+    }
+
+    /// The same piece with all lengths times a power of two.
+    pub(super) fn scaled(&self, exponent: i64) -> Self {
+        let mut path = self.exact.clone();
+        for list in [&mut path.base, &mut path.travel, &mut path.arm] {
+            list.iter_mut().for_each(|c| *c = c.clone().scaled(exponent));
+        }
+        Self { bounded: path.near(), rounded: path.near(), exact: path, ..*self }
+    }
+
+    /// The binary exponent of the largest length, or one more.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        let Path { base, travel, arm, weight, .. } = &self.exact;
+        let largest = [base, travel, arm].into_iter().flatten().filter_map(Dyadic::binary_exponent).max()?;
+        Some(largest - weight.binary_exponent()?)
     }
 
     /// The stretch of the piece between two of its times, exactly.
     pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
         self.exact.between(times, self.is_translation)
+    }
+
+    /// The same in doubles without bounds.
+    pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+        self.rounded.between(times, self.is_translation)
     }
 
     /// The stretch of the piece between two of its times, in doubles.
@@ -116,16 +138,16 @@ impl Piece {
 }
 
 impl Path<Dyadic> {
-    /// The path in doubles with bounds.
-    fn near(&self) -> Path<Bounded> {
-        let vector = |v: &ExactVector| v.each_ref().map(Bounded::near);
+    /// The path in doubles, with or without bounds.
+    fn near<T: Scalar>(&self) -> Path<T> {
+        let vector = |v: &ExactVector| v.each_ref().map(T::near);
         Path {
-            times: self.times.each_ref().map(Bounded::near),
-            turns: self.turns.each_ref().map(|q| q.each_ref().map(Bounded::near)),
+            times: self.times.each_ref().map(T::near),
+            turns: self.turns.each_ref().map(|q| q.each_ref().map(T::near)),
             base: vector(&self.base),
             travel: vector(&self.travel),
             arm: vector(&self.arm),
-            weight: Bounded::near(&self.weight),
+            weight: T::near(&self.weight),
         }
     }
 }

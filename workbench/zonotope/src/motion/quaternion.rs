@@ -1,7 +1,7 @@
 //! Quaternions w + x i + y j + z k as [w, x, y, z], and the rotation of one as a quadratic form, over any numbers.
 //!
-//! A quaternion q of any length but 0 turns v to R(q) v = R̃(q, q) v / |q|², where R̃ is bilinear and symmetric: nothing
-//! is divided, so that rational quaternions have rational rotations without a root.
+//! A quaternion q of any length but 0 turns v to R(q) v = R̃(q, q) v / |q|², where R̃ is bilinear and symmetric.
+//! Nothing is divided, so that rational quaternions have rational rotations without a root.
 
 use crate::numeric::linear::{Ring, cross, dot};
 
@@ -14,13 +14,15 @@ pub(super) fn identity<T: Ring>() -> Quaternion<T> {
 }
 
 /// The conjugate: the turn back.
+#[inline]
 pub(super) fn conjugate<T: Ring>([w, x, y, z]: &Quaternion<T>) -> Quaternion<T> {
     let opposite = |c: &T| T::ZERO.minus(c);
     [w.clone(), opposite(x), opposite(y), opposite(z)]
 }
 
 /// The product p q: the turn of q, then that of p.
-pub(super) fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
+#[inline]
+pub(super) fn composition<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     let ((w, a), (s, b)) = (parts(p), parts(q));
     let [x, y, z] = cross(&a, &b);
     let part = |k: usize, c: &T| w.times(&b[k]).plus(&s.times(&a[k])).plus(c);
@@ -28,16 +30,19 @@ pub(super) fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaterni
 }
 
 /// The sum of two quaternions.
+#[inline]
 pub(super) fn sum<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
     [0, 1, 2, 3].map(|k| p[k].plus(&q[k]))
 }
 
 /// The multiple of a quaternion.
+#[inline]
 pub(super) fn multiple<T: Ring>(factor: &T, q: &Quaternion<T>) -> Quaternion<T> {
     q.each_ref().map(|c| factor.times(c))
 }
 
 /// R̃(p, q) by rows: the polar form of q ↦ |q|² R(q), symmetric in both.
+#[inline]
 pub(super) fn polar_rotation<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> [[T; 3]; 3] {
     let ((w, a), (s, b)) = (parts(p), parts(q));
     let along = w.times(&s).minus(&dot(&a, &b));
@@ -53,16 +58,19 @@ pub(super) fn polar_rotation<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> [
 }
 
 /// M v.
+#[inline]
 pub(super) fn image<T: Ring>(rows: &[[T; 3]; 3], v: &[T; 3]) -> [T; 3] {
     rows.each_ref().map(|row| dot(row, v))
 }
 
 /// Mᵀ u.
+#[inline]
 pub(super) fn transposed_image<T: Ring>(rows: &[[T; 3]; 3], u: &[T; 3]) -> [T; 3] {
     [0, 1, 2].map(|k| rows[0][k].times(&u[0]).plus(&rows[1][k].times(&u[1])).plus(&rows[2][k].times(&u[2])))
 }
 
 /// The real part and the vector.
+#[inline]
 fn parts<T: Ring>([w, x, y, z]: &Quaternion<T>) -> (T, [T; 3]) {
     (w.clone(), [x.clone(), y.clone(), z.clone()])
 }
@@ -78,9 +86,9 @@ mod tests {
         // 1 + k has length √2 and turns by 90° about z
         let q = [1.0, 0.0, 0.0, 1.0];
         assert_eq!(image(&polar_rotation(&q, &q), &[3.0, 0.0, 5.0]), [0.0, 6.0, 10.0]);
-        assert_eq!(product(&q, &q), [0.0, 0.0, 0.0, 2.0], "two of them are half a turn");
-        assert_eq!(product(&q, &conjugate(&q)), [2.0, 0.0, 0.0, 0.0]);
-        assert_eq!(product(&identity(), &q), q);
+        assert_eq!(composition(&q, &q), [0.0, 0.0, 0.0, 2.0], "two of them are half a turn");
+        assert_eq!(composition(&q, &conjugate(&q)), [2.0, 0.0, 0.0, 0.0]);
+        assert_eq!(composition(&identity(), &q), q);
     }
 
     proptest! {
@@ -93,7 +101,7 @@ mod tests {
             let number = |c: i8| Dyadic::from_f64(f64::from(c));
             let (q, r, v) = (q.map(number), r.map(number), v.map(number));
             let rotation = |q: &Quaternion<Dyadic>| polar_rotation(q, q);
-            let both = product(&q, &r);
+            let both = composition(&q, &r);
             let image_of_both = image(&rotation(&both), &v);
             prop_assert_eq!(&image_of_both, &image(&rotation(&q), &image(&rotation(&r), &v)));
             let turned_back = transposed_image(&rotation(&both), &image_of_both);

@@ -3,7 +3,9 @@
 
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::Ring;
+use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::{absolute_sums, bounded_sums};
+use crate::numeric::linear::{Ring, dot};
 
 /// A number with a magnitude and a sign that may be in doubt.
 pub(super) trait Scalar: Ring {
@@ -18,9 +20,16 @@ pub(super) trait Scalar: Ring {
 
     /// Whether the exact value is greater than 0 beyond doubt.
     fn is_certainly_positive(&self) -> bool;
+
+    /// Σ |u · g| over generators g for each of several directions u; `magnitude` is Σ |g|_1, but for rounding.
+    fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K];
 }
 
 impl Scalar for f64 {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        absolute_sums(Rows::new(generators), directions)
+    }
+
     #[inline]
     fn of(value: f64) -> Self {
         value
@@ -37,11 +46,15 @@ impl Scalar for f64 {
 
     #[inline]
     fn is_certainly_positive(&self) -> bool {
-        false
+        *self > 0.0
     }
 }
 
 impl Scalar for Bounded {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        bounded_sums(Rows::new(generators), magnitude, directions)
+    }
+
     #[inline]
     fn of(value: f64) -> Self {
         Self::exact(value)
@@ -65,6 +78,13 @@ impl Scalar for Bounded {
 }
 
 impl Scalar for Dyadic {
+    fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
+        let reach = |u: &[Self; 3]| {
+            generators.iter().map(|g| dot(u, &g.map(Self::of)).abs()).fold(Self::zero(), |sum, c| sum + c)
+        };
+        directions.each_ref().map(reach)
+    }
+
     fn of(value: f64) -> Self {
         Self::from_f64(value)
     }

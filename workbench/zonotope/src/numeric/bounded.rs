@@ -4,12 +4,12 @@
 //! themselves are sums and products of a few rounded terms that are not negative, which [`FIVE_ROUNDINGS`] covers.
 //! Overflow makes a bound infinite or NaN, and every certain comparison false.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use super::dyadic::Dyadic;
 use super::exact_sum::exact_sum;
 use super::linear::{self, ring_of_values};
-use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
+use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT};
 
 /// An exact value within `error` of `value`.
 #[derive(Debug, Clone, Copy)]
@@ -84,6 +84,20 @@ impl Mul for Bounded {
         let value = self.value * other.value;
         let carried = self.value.abs() * other.error + (other.value.abs() + other.error) * self.error;
         Self { value, error: (carried + UNIT * value.abs()) * FIVE_ROUNDINGS + PRODUCT_UNDERFLOW }
+    }
+}
+
+impl Div for Bounded {
+    type Output = Self;
+    /// The bound is infinite where the divisor may be zero.
+    #[inline]
+    fn div(self, divisor: Self) -> Self {
+        let value = self.value / divisor.value;
+        let least = divisor.value.abs() - divisor.error;
+        let carried = (self.error + value.abs() * divisor.error) / least + 2.0 * UNIT * value.abs();
+        // false for NaN as well
+        let error = if least > 0.0 { carried * THIRTY_ROUNDINGS + PRODUCT_UNDERFLOW } else { f64::INFINITY };
+        Self { value, error }
     }
 }
 

@@ -116,6 +116,11 @@ impl<const D: usize> Loss<D> {
         })
     }
 
+    /// Adds up a further loss along an axis.
+    pub(crate) fn widen(&mut self, axis: usize, by: &Dyadic) {
+        self.0[axis] = &self.0[axis] + by;
+    }
+
     /// The generators that make up for it, along each axis that lost something.
     pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; D]> {
         axis_generators(self.0.each_ref().map(at_least))

@@ -70,21 +70,11 @@ pub const HEIGHT_OVER_PLANE: f64 = 16.0 * UNIT;
 /// and products of these; 32 u exceeds that and the rounding of the bound.
 pub const PRODUCT_OF_ROUNDED_VECTORS: f64 = 32.0 * UNIT;
 
-/// Error of a 3 × 3 determinant of vectors of doubles, beside the product of their lengths |·|_1.
-///
-/// A term of the determinant goes through five roundings, and the products of coordinates add up to at most the product
-/// of the lengths.
-pub const DETERMINANT_OF_ROWS: f64 = 8.0 * UNIT;
-
-/// The same for rounded images of vectors under matrices, beside the product of bounds of their lengths: each image is
-/// off by at most 4 u times its bound, which takes 12 u of the product, and products of these.
-pub const DETERMINANT_OF_IMAGES: f64 = 32.0 * UNIT;
-
 /// A generator whose product with the computed normal of two others is smaller than this part of the product's terms is
 /// tried as one of their facet.
 ///
-/// Of exactly coplanar generators the product is off by the roundings of a [determinant](DETERMINANT_OF_ROWS), in terms
-/// of numbers that cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
+/// Of exactly coplanar generators the product is off by the eight roundings of a determinant, in terms of numbers that
+/// cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
 /// proof is bounded whatever generators take part in it.
 pub const FACET_ROUNDING: f64 = 64.0 * UNIT;
 
@@ -139,11 +129,6 @@ pub const MATRIX_SIZES: std::ops::Range<f64> = power_of_two(-60)..power_of_two(6
 
 /// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
 pub const SQUARABLE_SIZES: std::ops::Range<f64> = power_of_two(-500)..power_of_two(500);
-
-/// Sums of lengths between which no product of three lengths leaves the range of doubles: 2^-200 and 2^300.
-///
-/// A determinant of three vectors is compared with the cube of the lower end, 2^-600, so its underflow never counts.
-pub const CUBABLE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(300);
 
 /// Coordinates between which the product of two, and the rounding error of that product, are normal doubles: 2^-300 and
 /// 2^300, with [`PAIRABLE_EXPONENT`] for the exponent.
@@ -277,3 +262,27 @@ pub(crate) const CHORD_OF_A_LINEAR_QUATERNION: f64 = 0.25661;
 /// The entries of the matrix are quotients of quaternions with relative errors of some 16 units, by their square; the
 /// translation goes through as many roundings.
 pub(crate) const POSE_ROUNDING: f64 = 256.0 * UNIT;
+
+/// Factor by which bounds of the rates and reaches of moving bodies are multiplied, and a share of their sizes that is
+/// added: 1 + 2^-30.
+///
+/// A reach is a sum of rounded lengths: of n < 2^20 terms it is off by less than 2^-32 of itself, of a cross product by
+/// 8 u of the size. Rates go through fewer than fifty roundings; where quaternions nearly agree, the sine of the angle
+/// between them is off by 16 u of 1, and the motion within it by as much of the size.
+pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
+
+/// The smallest positive double: no number that underflows is off by more.
+pub const SMALLEST: f64 = f64::from_bits(1);
+
+/// The part by which a coordinate of a unit vector, and the length that it was divided by, may be off where the exact
+/// vector was rounded first: 2^-48.
+///
+/// The rounded coordinates are off by 2^-50 each, the norm by that and three roundings, the quotient by one more.
+pub const ROUNDED_UNIT_VECTOR: f64 = power_of_two(-48);
+
+/// The distance of a rounded point R x − x of a turned point x from the exact one, in terms of the sum of the
+/// magnitudes of the coordinates of x: 2^-46.
+///
+/// Both entries of the matrix are at most 2.1 and off by less than 4 units in the last place, of angles that are off by
+/// a unit in the last place of a turn; the products and the sum go through three roundings.
+pub const ARC_POINT_ROUNDING: f64 = power_of_two(-46);

@@ -36,11 +36,16 @@ pub enum Operation {
     SearchStep,
     /// One sign that floating point could not decide and exact arithmetic did.
     ExactFallback,
+    /// One stretch of time of which a method asked whether moving bodies are disjoint during it.
+    Stretch,
+    /// One value of the support function of a body along one direction; a question about bodies that stand counts the
+    /// passes over the generators of each.
+    SupportEvaluation,
 }
 
 impl Operation {
     /// All operations, in the order in which they are reported.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::LineEvaluation,
         Self::PartEvaluation,
         Self::Comparison,
@@ -50,6 +55,8 @@ impl Operation {
         Self::EntryRead,
         Self::SearchStep,
         Self::ExactFallback,
+        Self::Stretch,
+        Self::SupportEvaluation,
     ];
 
     /// The name used in records: lower-case words joined by underscores.
@@ -64,6 +71,8 @@ impl Operation {
             Self::EntryRead => "entry_read",
             Self::SearchStep => "search_step",
             Self::ExactFallback => "exact_fallback",
+            Self::Stretch => "stretch",
+            Self::SupportEvaluation => "support_evaluation",
         }
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
 /// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
@@ -66,18 +67,26 @@ pub struct Gauge<const D: usize> {
 
 impl<const D: usize> Separation<D> {
     /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
-    pub(crate) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
+    pub(crate) fn near<P: Standing>(question: &Query<'_, D, P>, direction: &[Dyadic; D]) -> Self {
         let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let scaled = direction.clone().map(|v| v.scaled(-largest));
         let rounded = scaled.clone().map(|v| v.to_f64());
         let along =
             |v: &[Dyadic; D]| v.iter().zip(rounded).fold(Dyadic::zero(), |s, (a, b)| s + a * &Dyadic::from_f64(b));
-        let reach = question.generators().fold(Dyadic::zero(), |s, g| s + along(&g.map(Dyadic::from_f64)).abs());
+        let reach = question.exact_generators().fold(Dyadic::zero(), |s, g| s + along(&g).abs());
         if along(&question.exact()) > reach {
             Self::Rounded(rounded)
         } else {
             Self::Exact(Box::new(scaled.map(|v| v.to_rational())))
         }
+    }
+}
+
+impl Witness {
+    /// The proof with a basis in any order.
+    pub(crate) fn in_order(coefficients: Vec<f64>, mut basis: [usize; 3]) -> Self {
+        basis.sort_unstable();
+        Self { coefficients, basis: basis.to_vec() }
     }
 }
 

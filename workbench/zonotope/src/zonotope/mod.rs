@@ -11,6 +11,7 @@
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
+//! | [`placed`] | a body where it stands, under a pose or not: what questions are asked about |
 //! | [`prepared`] | a body prepared for many questions |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
@@ -25,8 +26,8 @@ mod matrices;
 pub mod named;
 mod operations;
 pub mod passes;
+pub mod placed;
 pub mod pose;
-pub mod posed_query;
 pub mod prepared;
 pub mod query;
 pub(crate) mod ray_exit;
@@ -36,4 +37,5 @@ pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError, support_of};
 pub use operations::BoundingBox;
-pub use prepared::{BodyView, PreparedBody};
+pub use placed::{AtRest, Placed, Standing};
+pub use prepared::PreparedBody;

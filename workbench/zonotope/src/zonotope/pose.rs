@@ -10,7 +10,9 @@ use thiserror::Error;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact};
+use crate::numeric::linear::sum_norm;
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES};
 
 /// A pose of space: x ↦ M x + t.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,6 +111,24 @@ impl Pose {
         &self.matrix
     }
 
+    /// The same matrix with another translation of finite coordinates.
+    pub(crate) fn translated_to(self, translation: [f64; 3]) -> Self {
+        Self { translation, ..self }
+    }
+
+    /// At least the sum of the magnitudes of the matrix's entries.
+    #[inline(always)]
+    pub(crate) fn magnitude(&self) -> f64 {
+        let [a, b, c] = &self.matrix;
+        (sum_norm(a) + sum_norm(b) + sum_norm(c)) * FIVE_ROUNDINGS
+    }
+
+    /// Whether products with the entries that count neither overflow nor lose digits to underflow.
+    #[inline(always)]
+    pub(crate) fn is_moderate(&self) -> bool {
+        MATRIX_SIZES.contains(&self.magnitude())
+    }
+
     /// The translation.
     pub fn translation(&self) -> [f64; 3] {
         self.translation
@@ -137,6 +157,13 @@ impl Pose {
     pub(crate) fn pair_image(&self, [x, y, z]: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
         let of = BoundedDoubleDouble::exact;
         self.matrix.map(|[a, b, c]| of(a) * *x + of(b) * *y + of(c) * *z)
+    }
+
+    /// Mᵀ u for a direction that is known to twice the digits of a double.
+    pub(crate) fn transposed_pair_image(&self, [x, y, z]: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+        let of = BoundedDoubleDouble::exact;
+        let [a, b, c] = self.matrix.map(|row| row.map(of));
+        [0, 1, 2].map(|k| a[k] * *x + b[k] * *y + c[k] * *z)
     }
 
     /// M x + t, rounded; with each coordinate the sum of the magnitudes of what it is the sum of.

@@ -8,7 +8,7 @@
 
 use super::Zonotope;
 use crate::numeric::lanes::body_sums::laid_out;
-use crate::numeric::lanes::rows::{LaidOut, Rows};
+use crate::numeric::lanes::rows::LaidOut;
 use crate::numeric::lanes::{absolute_sum_of, extreme_sum_of};
 
 /// A body with what makes questions about it quicker; its methods are those of [`Zonotope`], and so are its answers.
@@ -30,6 +30,12 @@ impl PreparedBody {
         &self.body
     }
 
+    /// What was prepared.
+    #[inline]
+    pub(crate) fn laid_out(&self) -> &LaidOut {
+        &self.laid_out
+    }
+
     /// The bytes that are held, the generators included.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(self.body.generators()) + size_of_val(self.laid_out.blocks())
@@ -46,46 +52,6 @@ impl PreparedBody {
     pub fn extreme_sum(&self, direction: &[f64; 3]) -> [f64; 3] {
         extreme_sum_of(&self.laid_out.blocks(), direction)
     }
-}
-
-/// A body of space that a question is about, prepared or not; nothing of it is copied.
-#[derive(Debug, Clone, Copy)]
-pub struct BodyView<'a> {
-    body: &'a Zonotope<3>,
-    laid_out: Option<&'a LaidOut>,
-}
-
-impl<'a> BodyView<'a> {
-    /// The body.
-    pub fn body(&self) -> &'a Zonotope<3> {
-        self.body
-    }
-
-    /// What was prepared of the body.
-    #[inline]
-    pub(crate) fn laid_out(&self) -> Option<&'a LaidOut> {
-        self.laid_out
-    }
-}
-
-impl<'a> From<&'a Zonotope<3>> for BodyView<'a> {
-    #[inline]
-    fn from(body: &'a Zonotope<3>) -> Self {
-        Self { body, laid_out: None }
-    }
-}
-
-impl<'a> From<&'a PreparedBody> for BodyView<'a> {
-    #[inline]
-    fn from(prepared: &'a PreparedBody) -> Self {
-        Self { body: &prepared.body, laid_out: Some(&prepared.laid_out) }
-    }
-}
-
-/// Rows for passes, with what was prepared of them.
-#[inline]
-pub(crate) fn rows<'a>(list: &'a [[f64; 3]], laid_out: Option<&'a LaidOut>) -> Rows<'a> {
-    laid_out.map_or(Rows::new(list), |laid_out| Rows::laid_out(list, laid_out))
 }
 
 #[cfg(test)]

@@ -73,12 +73,12 @@ impl Zonotope<2> {
 }
 
 /// The generator or its opposite, whichever points to the right, or upwards if it is vertical.
-fn rightward([x, y]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn rightward([x, y]: [f64; 2]) -> [f64; 2] {
     if x < 0.0 || (x == 0.0 && y < 0.0) { [-x, -y] } else { [x, y] }
 }
 
 /// The sign of the cross product of two vectors.
-fn turn(a: [f64; 2], b: [f64; 2]) -> Ordering {
+pub(crate) fn turn(a: [f64; 2], b: [f64; 2]) -> Ordering {
     let origin = [0.0, 0.0];
     Turn::sign(cross_sign(origin, a, origin, b))
 }

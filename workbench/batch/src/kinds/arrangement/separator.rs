@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::{Method, SeparatorError};
 
+use crate::claimed::{Traced, exact_numbers, index, member, vectors};
 use crate::fields::Fields;
 use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
@@ -15,6 +16,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
+    check,
 };
 
 /// The most lines of which brute force lists all pairs.
@@ -55,4 +57,14 @@ pub(super) fn refuse_many_lines(count: usize, method: &str) -> Result<(), Refusa
     }
     let message = format!("{count} generators, at most {LISTED_LINE_LIMIT} are taken by `{method}`");
     Err(Refusal::new(Code::TooLarge, message))
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let chain = member(result, "chain")?.elements().ok_or("`chain` is not a list")?;
+    let point = |point: Traced<'_>| <[_; 2]>::try_from(exact_numbers(point)?).ok();
+    let chain: Vec<_> =
+        chain.map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
+    let k = index(input, "k")? as u64;
+    Ok(verifier::check_separator(&generators, k, &chain).in_words())
 }

@@ -5,6 +5,7 @@ use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::slope_selection::Method;
 
 use super::separator::refuse_many_lines;
+use crate::claimed::{Traced, fractions, indices, member, vectors};
 use crate::fields::Fields;
 use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
@@ -16,6 +17,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
+    check,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
@@ -35,4 +37,10 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
     let vertices = vertices.expect("every rank was compared with the number of vertices");
     let x: Vec<String> = vertices.iter().map(|vertex| vertex.exact_x().to_string()).collect();
     Ok(Solution { method: method.id(), result: json!({"x": x}) })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let ranks: Vec<u64> = indices(input, "k")?.into_iter().map(|rank| rank as u64).collect();
+    Ok(verifier::check_slope_selection(&generators, &ranks, &fractions(result, "x")?).in_words())
 }

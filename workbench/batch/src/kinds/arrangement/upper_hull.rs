@@ -3,7 +3,9 @@
 use serde_json::json;
 use zonotope::collision::upper_hull::{Height, Method};
 
+use crate::claimed::{Traced, boolean, member, vector, vectors};
 use crate::fields::Fields;
+use crate::json::Tree;
 use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
@@ -14,6 +16,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
+    check,
 };
 
 /// The most generators of which brute force goes through all pairs.
@@ -35,4 +38,16 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
         Height::BesideQ(_) => json!({"above_q": false, "z": null}),
     };
     Ok(Solution { method: method.id(), result })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let p0 = <[f64; 2]>::try_from(vector(member(input, "p0")?, "p0")?).map_err(|_| "p0 is not a point of the plane")?;
+    let z = match member(result, "z")?.tree {
+        Tree::Null => None,
+        value => {
+            Some(value.text().and_then(verifier::Fraction::parse).ok_or("`z` is neither an exact number nor null")?)
+        }
+    };
+    Ok(verifier::check_upper_hull(&generators, p0, boolean(result, "above_q")?, z.as_ref()).in_words())
 }

@@ -3,7 +3,9 @@
 use serde_json::{Value, json};
 use zonotope::arrangement::facet_walk::{FacetName, GeneralPositionError, Method, NormalSense, adjacent_facets};
 
+use crate::claimed::{Traced, member, vectors};
 use crate::fields::Fields;
+use crate::json::Tree;
 use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
@@ -14,6 +16,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || vec![Method::ByScan.id()],
     solve,
+    check,
 };
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
@@ -51,4 +54,18 @@ fn counted_from_one(error: GeneralPositionError) -> Refusal {
         }
         other => other.to_string(),
     })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let triple = |tree: &Tree| -> Option<verifier::FacetTriple> {
+        let [first, second, sign] = tree.list()? else { return None };
+        let sign = [-1, 1].into_iter().find(|candidate| Some(*candidate as f64) == sign.float())?;
+        Some((first.index()?, second.index()?, sign))
+    };
+    let facet = triple(member(input, "facet")?.tree).ok_or("`facet` is no facet")?;
+    let list = member(result, "neighbours")?.tree.list().ok_or("`neighbours` is not a list")?;
+    let neighbours: Vec<verifier::FacetTriple> =
+        list.iter().map(triple).collect::<Option<_>>().ok_or("a neighbour is no facet")?;
+    Ok(verifier::check_walk(&generators, facet, &neighbours).in_words())
 }

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
+use crate::claimed::{Placed, Traced, index, member, text};
 use crate::dimension::in_dimension;
 use crate::fields::{Fields, image_not_held};
 use crate::kinds::{Kind, Solution};
@@ -15,6 +16,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["pose"],
     methods: || vec![BY_COUNTING],
     solve,
+    check,
 };
 
 const BY_COUNTING: &str = "by_counting";
@@ -57,4 +59,22 @@ fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
         "facet_sizes": sizes,
         "measure": measure.to_string(),
     }))
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let body = Placed::around_origin(input)?;
+    let sizes = member(result, "facet_sizes")?.fields().ok_or("`facet_sizes` is not an object")?;
+    // A size has one spelling, so that none comes twice.
+    let size = |name: &str| name.parse::<usize>().ok().filter(|size| size.to_string() == name);
+    let sizes = sizes.map(|(name, count)| Some((size(name)?, count.tree.index()? as u64)));
+    let count = |name| index(result, name).map(|count| count as u64);
+    let answer = verifier::CombinatoricsAnswer {
+        affine_dim: index(result, "affine_dim")?,
+        vertices: count("vertices")?,
+        edges: count("edges")?,
+        facets: count("facets")?,
+        facet_sizes: sizes.collect::<Option<_>>().ok_or("`facet_sizes` holds something else than counts")?,
+        measure: verifier::Fraction::parse(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
+    };
+    Ok(verifier::check_combinatorics(&body.body(), &answer).in_words())
 }

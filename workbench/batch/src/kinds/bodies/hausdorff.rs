@@ -7,6 +7,7 @@ use zonotope::reduction::hausdorff::by_branch_and_bound::hausdorff_by_cones;
 use zonotope::reduction::hausdorff::by_vertices::{excess_at_vertices, hausdorff_at_vertices};
 use zonotope::zonotope::Zonotope;
 
+use crate::claimed::{Placed, Traced, boolean, float, member, vector};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -21,6 +22,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || vec![AT_VERTICES, BY_CONES],
     solve,
+    check,
 };
 
 /// The method that rounds the distance once, the default for bodies of few vertices.
@@ -80,4 +82,16 @@ fn distance<const D: usize>(
             Err(Refusal::new(Code::TooLarge, format!("the bodies have too many vertices for `{AT_VERTICES}`")))
         }
     }
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let body = |name| Placed::read(member(input, name)?, "center")?.image();
+    let (a, b) = (body("a")?, body("b")?);
+    let answer = verifier::HausdorffAnswer {
+        value: float(result, "value")?,
+        bounds: [float(result, "lower")?, float(result, "upper")?],
+        direction: vector(member(result, "direction")?, "direction")?,
+        is_subset: boolean(result, "a_subset_b")?,
+    };
+    Ok(verifier::check_hausdorff((&a.0, &a.1), (&b.0, &b.1), &answer))
 }

@@ -5,8 +5,10 @@ use zonotope::reduction::by_patches::patches_within;
 use zonotope::reduction::{Containment, Method, Problem, Reduced, ReductionError, Share, Shares};
 use zonotope::zonotope::Zonotope;
 
+use crate::claimed::{Placed, Traced, boolean, float, index, indices, member, vector, vectors};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
+use crate::json::Tree;
 use crate::json::{to_json, vector_to_json};
 use crate::kinds::{Kind, Solution};
 use crate::nearest::did_you_mean;
@@ -19,6 +21,7 @@ pub(in crate::kinds) const REDUCE: Kind = Kind {
     optional: &["pose"],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve: reduce,
+    check: check_reduce,
 };
 
 pub(in crate::kinds) const APPROX: Kind = Kind {
@@ -28,6 +31,7 @@ pub(in crate::kinds) const APPROX: Kind = Kind {
     optional: &[],
     methods: || vec![Method::Patches.id()],
     solve: approx,
+    check: check_approx,
 };
 
 /// The bounds of a distance differ by at most this part of the lower one, where the search for them allows it.
@@ -119,4 +123,55 @@ fn certificate(proof: &Containment) -> Value {
         }
         _ => json!({"facet_normals": true}),
     }
+}
+
+fn check_reduce(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let (center, generators) = Placed::read(input, "center")?.image()?;
+    let question = verifier::Reduction { center, generators, count: Some(index(input, "count")?), epsilon: None };
+    checked(&question, result)
+}
+
+fn check_approx(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let center = vec![0.0; generators.first().map_or(3, Vec::len)];
+    checked(&verifier::Reduction { center, generators, count: None, epsilon: Some(float(input, "epsilon")?) }, result)
+}
+
+fn checked(question: &verifier::Reduction, result: Traced<'_>) -> Result<verifier::Verdict, String> {
+    let (certificate, distance) = (member(result, "certificate")?, member(result, "hausdorff")?);
+    let answer = verifier::ReductionAnswer {
+        center: vector(member(result, "center")?, "center")?,
+        generators: vectors(member(result, "generators")?, "generators")?,
+        bounds: [float(distance, "lower")?, float(distance, "upper")?],
+        direction: vector(member(distance, "direction")?, "direction")?,
+        shares: claimed_shares(certificate)?,
+    };
+    Ok(verifier::check_reduction(question, &answer))
+}
+
+/// The shares, or nothing where every facet normal is to be tried: the certificate says which of them.
+fn claimed_shares(certificate: Traced<'_>) -> Result<Option<verifier::Shares>, String> {
+    if let Some(list) = certificate.field("shares") {
+        return listed_shares(list, certificate).map(Some);
+    }
+    match certificate.field("facet_normals").map(|_| boolean(certificate, "facet_normals")).transpose()? {
+        Some(true) => Ok(None),
+        Some(false) | None => Err("certificate: there are neither `shares` nor `facet_normals`".to_owned()),
+    }
+}
+
+fn listed_shares(list: Traced<'_>, certificate: Traced<'_>) -> Result<verifier::Shares, String> {
+    let share = |tree: &Tree| match (tree, tree.list()) {
+        (Tree::Null, _) => Ok(None),
+        (_, Some([generator, coefficient])) => match (generator.index(), coefficient.float()) {
+            (Some(generator), Some(coefficient)) => Ok(Some((generator, coefficient))),
+            _ => Err("a share is no index with a coefficient".to_owned()),
+        },
+        _ => Err("a share is neither a pair nor null".to_owned()),
+    };
+    let list = list.tree.list().ok_or("`shares` is not a list")?;
+    Ok(verifier::Shares {
+        shares: list.iter().map(share).collect::<Result<_, _>>()?,
+        frame: indices(certificate, "frame")?,
+    })
 }

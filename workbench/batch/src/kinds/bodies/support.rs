@@ -4,6 +4,7 @@ use serde_json::json;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::support_of;
 
+use crate::claimed::{Placed, Traced, float, member, point, vector};
 use crate::dimension::{MAX_DIMENSION, refused};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -18,6 +19,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["pose"],
     methods: || vec![BY_SIGNS],
     solve,
+    check,
 };
 
 const BY_SIGNS: &str = "by_signs";
@@ -61,4 +63,13 @@ fn posed(
         }
     }
     (along(&point), point)
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let direction = vector(member(input, "direction")?, "direction")?;
+    let body = Placed::read(input, "center")?;
+    // A coordinate beyond the range of doubles is an infinity.
+    let point = point(member(result, "point")?, "point")?;
+    let answer = verifier::SupportAnswer { value: float(result, "value")?, point };
+    Ok(verifier::check_support(&direction, &body.body(), &answer).in_words())
 }

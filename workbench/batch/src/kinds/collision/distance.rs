@@ -1,13 +1,14 @@
 //! `distance`: how far apart two zonotopes are, or how deep they overlap.
 
 use serde_json::{Value, json};
-use zonotope::collision::distance::by_support_simplex::{proximity, proximity_posed};
-use zonotope::collision::distance::penetration::{self, by_inner_polytope::penetration_posed};
-use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact, contact_posed};
+use zonotope::collision::distance::by_support_simplex::proximity;
+use zonotope::collision::distance::penetration::{self, by_inner_polytope};
+use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact};
 use zonotope::collision::{Location, Query, Status, Witness, by_lad};
 
-use super::certificate;
 use super::posed::{Hidden, Posed, Prism};
+use super::{certificate, proof};
+use crate::claimed::{Placed, Traced, exact_numbers, float, indices, member, point, text, vector};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -21,6 +22,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || vec![METHOD],
     solve,
+    check,
 };
 
 const METHOD: &str = Method::BySupportSimplex.id();
@@ -62,12 +64,12 @@ fn under_poses<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusa
     let [a, b] = [Posed::<D>::read(&bodies[0], "center")?, Posed::read(&bodies[1], "center")?];
     let prism = Prism::over(&a, &b);
     let (query, hidden) = (prism.query(), prism.hidden());
-    let location = hidden.location(&by_lad::locate_posed(&query).with_nearest_basis(&query));
+    let location = hidden.location(&by_lad::locate(&query).with_nearest_basis(&query));
     refuse_overlap(&location, a.body.generators().len() + b.body.generators().len())?;
-    let found = proximity_posed(&query);
-    Ok(match (&found, contact_posed(&query, &found)) {
+    let found = proximity(&query);
+    Ok(match (&found, contact(&query, &found)) {
         (Proximity::Disjoint(gap), _) => of_gap(gap, hidden, &location),
-        (_, contact) => of_contact(contact, &penetration_posed(&query), hidden, &location),
+        (_, contact) => of_contact(contact, &by_inner_polytope::penetration(&query), hidden, &location),
     })
 }
 
@@ -119,4 +121,42 @@ fn of_contact<const S: usize, const D: usize>(
         result["contact_normal"] = hidden.vector(&normal).iter().map(ToString::to_string).collect::<Value>();
     }
     result
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
+    let [nearest, features] = [member(result, "nearest")?, member(result, "features")?];
+    let location = proof::location(result)?;
+    let answer = verifier::ProximityAnswer {
+        distance: float(result, "distance")?,
+        parts: parts(result, location.status)?,
+        location,
+        nearest: [point(member(nearest, "a")?, "a")?, point(member(nearest, "b")?, "b")?],
+        features: [text(features, "a")?.to_owned(), text(features, "b")?.to_owned()],
+    };
+    Ok(verifier::check_proximity(&a.body(), &b.body(), &answer).in_words())
+}
+
+/// The fields that an answer of this status has beside those of all: others are not read, so they are not called right.
+fn parts(result: Traced<'_>, status: verifier::Status) -> Result<verifier::ProximityParts, String> {
+    let mut parts = verifier::ProximityParts::default();
+    if status == verifier::Status::Outside {
+        let proof = member(result, "distance_certificate")?;
+        parts.distance = Some((vector(member(proof, "coefficients")?, "coefficients")?, indices(proof, "basis")?));
+        return Ok(parts);
+    }
+    if status == verifier::Status::Boundary {
+        let normal = exact_numbers(member(result, "contact_normal")?);
+        parts.normal = Some(normal.ok_or("`contact_normal` is not a list of exact numbers")?);
+    }
+    parts.penetration = Some(penetration_of(member(result, "penetration")?)?);
+    Ok(parts)
+}
+
+fn penetration_of(tree: Traced<'_>) -> Result<verifier::PenetrationAnswer, String> {
+    Ok(verifier::PenetrationAnswer {
+        lower: float(tree, "lower")?,
+        upper: float(tree, "upper")?,
+        direction: vector(member(tree, "direction")?, "direction")?,
+    })
 }

@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 use zonotope::collision::{Gauge, Query, by_lad};
 
 use super::posed::{Posed, Prism, SPACE};
-use super::{Task, certificate, gauge, posed_method};
+use super::{Task, certificate, gauge, posed_method, proof};
+use crate::claimed::{Placed, Traced, boolean, float, member, vector};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::to_json;
@@ -18,6 +19,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["pose"],
     methods: || Task::Gauge.method_names(),
     solve,
+    check,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
@@ -47,7 +49,7 @@ fn under_pose<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>)
     }
     let method = posed_method(method)?;
     let prism = Prism::over(&body, &Posed::of_point(q));
-    let gauge = by_lad::nearest_gauge_posed(&prism.query_of(q));
+    let gauge = by_lad::nearest_gauge(&prism.query_of(q));
     Ok(Solution { method, result: result(&prism.hidden().gauge(&gauge)) })
 }
 
@@ -57,4 +59,14 @@ fn result<const D: usize>(gauge: &Gauge<D>) -> Value {
         "at_most_one": gauge.location.is_member(),
         "certificate": certificate(&gauge.location),
     })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let (body, q) = (Placed::read(input, "p")?, vector(member(input, "q")?, "q")?);
+    let answer = verifier::GaugeAnswer {
+        gauge: float(result, "gauge")?,
+        at_most_one: boolean(result, "at_most_one")?,
+        certificate: proof::certificate(member(result, "certificate")?)?,
+    };
+    Ok(verifier::check_gauge(&verifier::Displaced::to_point(&body.body(), &q)?, &answer).in_words())
 }

@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
 use super::posed::Posed;
-use super::{Task, certificate, locate, locate_posed};
+use super::{Task, certificate, locate, locate_posed, proof};
+use crate::claimed::{Placed, Traced, member};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::kinds::{BODY, Kind, PLACED, Solution};
@@ -17,6 +18,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || Task::Locate.method_names(),
     solve,
+    check,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
@@ -56,4 +58,9 @@ fn result<const D: usize>(location: &Location<D>) -> Value {
         "status": location.status().name(),
         "certificate": certificate(location),
     })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
+    proof::located(&verifier::Displaced::between(&a.body(), &b.body())?, result, "intersects")
 }

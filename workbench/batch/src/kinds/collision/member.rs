@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
 use super::posed::Posed;
-use super::{Task, certificate, locate, locate_posed};
+use super::{Task, certificate, locate, locate_posed, proof};
+use crate::claimed::{Placed, Traced, member as field, vector};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::kinds::{Kind, Solution};
@@ -17,6 +18,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["pose"],
     methods: || Task::Locate.method_names(),
     solve,
+    check,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
@@ -52,4 +54,10 @@ fn result<const D: usize>(location: &Location<D>) -> Value {
         "status": location.status().name(),
         "certificate": certificate(location),
     })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let point = vector(field(input, "point")?, "point")?;
+    let body = Placed::read(input, "center")?;
+    proof::located(&verifier::Displaced::to_point(&body.body(), &point)?, result, "member")
 }

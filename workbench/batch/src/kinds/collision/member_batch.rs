@@ -8,6 +8,8 @@ use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
 use super::posed::{Posed, Prism};
+use super::proof;
+use crate::claimed::{Placed, Traced, index, member, vectors};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::to_json;
@@ -21,6 +23,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["pose"],
     methods: || vec![BY_LAD, BY_DIRECTION_TREE, BY_CUTTING],
     solve,
+    check,
 };
 
 /// Nothing is prepared: each point is a question of its own.
@@ -105,7 +108,7 @@ fn under_pose<const D: usize>(fields: &Fields<'_>) -> Result<Answers, Refusal> {
     let prism = Prism::over(&body, &Posed::of_point([0.0; D]));
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
-        let gauge = by_lad::nearest_gauge_posed_counted(&prism.query_of(point), &mut counts);
+        let gauge = by_lad::nearest_gauge_counted(&prism.query_of(point), &mut counts);
         (gauge.location.status(), gauge.value)
     });
     Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })
@@ -148,4 +151,35 @@ fn space(fields: &Fields<'_>) -> Result<(Zonotope<3>, Vec<[f64; 3]>), Refusal> {
 
 fn total(counts: &OperationCounts) -> u64 {
     counts.iter().map(|(_, count)| count).sum()
+}
+
+/// The amount of work says nothing about the points, so no check repeats it; but some counts cannot be.
+fn check(input: Traced<'_>, result: Traced<'_>, method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let body = Placed::read(input, "center")?;
+    let points = vectors(member(input, "points")?, "points")?;
+    let list = |name| member(result, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"));
+    let (statuses, gauges) = (list("status")?, list("gauge")?);
+    let [build, _] = [index(result, "build")?, index(result, "query")?];
+    let prepared = match method {
+        Some(BY_LAD) => Some(0),
+        Some(BY_DIRECTION_TREE) => Some(body.body().generators.len()),
+        _ => None,
+    };
+    if prepared.is_some_and(|prepared| build != prepared) {
+        return Err(format!("`build` is {build}, which the method does not spend before the points"));
+    }
+    if statuses.len() != gauges.len() {
+        return Err("`status` and `gauge` have different lengths".to_owned());
+    }
+    let answers = statuses.iter().zip(gauges).map(|(name, gauge)| {
+        let name = name.text().ok_or("`status` holds something else than names")?;
+        Ok((proof::status(name)?, gauge.float().ok_or("`gauge` holds something else than numbers")?))
+    });
+    let answers: Vec<(verifier::Status, f64)> = answers.collect::<Result<_, String>>()?;
+    Ok(match verifier::check_member_batch(&body.body(), &points, &answers).in_words() {
+        verifier::Verdict::Right(proved) => {
+            verifier::Verdict::Right(format!("{proved}; `build` and `query` claim nothing"))
+        }
+        other => other,
+    })
 }

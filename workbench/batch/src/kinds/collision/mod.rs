@@ -6,6 +6,7 @@ pub(super) mod intersect;
 pub(super) mod member;
 pub(super) mod member_batch;
 mod posed;
+mod proof;
 
 use serde_json::{Value, json};
 use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, by_lad};
@@ -26,10 +27,7 @@ enum Task {
 impl Task {
     /// The methods that do it, better ones first.
     fn methods(self) -> impl Iterator<Item = Method> {
-        let does = move |method: &Method| match self {
-            Self::Locate => method.is_exact(),
-            Self::Gauge => method.measures(),
-        };
+        let does = move |method: &Method| self == Self::Locate || method.measures();
         Method::ALL.iter().copied().filter(does)
     }
 
@@ -121,7 +119,7 @@ fn locate_posed<const D: usize>(
     let method = posed_method(asked)?;
     let prism = Prism::over(first, second);
     let query = prism.query();
-    let location = by_lad::locate_posed(&query).with_nearest_basis(&query);
+    let location = by_lad::locate(&query).with_nearest_basis(&query);
     Ok((method, prism.hidden().location(&location)))
 }
 

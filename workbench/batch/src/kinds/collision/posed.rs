@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use zonotope::Pose;
 use zonotope::collision::distance::FeatureKind;
-use zonotope::collision::{Gauge, Location, PosedQuery, Separation, Witness};
+use zonotope::collision::{Gauge, Location, Query, Separation, Witness};
 use zonotope::zonotope::Zonotope;
 
 use crate::fields::{Fields, image_not_held};
@@ -95,16 +95,16 @@ impl<const D: usize> Prism<D> {
     }
 
     /// The question about the two bodies.
-    pub(super) fn query(&self) -> PosedQuery<'_> {
+    pub(super) fn query(&self) -> Query<'_, 3, Pose> {
         let [(a, from), (b, to)] = &self.bodies;
-        PosedQuery::between((a, from), (b, to))
+        Query::of_placed(a.at(from), b.at(to))
     }
 
     /// The question about the first body and a point.
-    pub(super) fn query_of(&self, point: [f64; D]) -> PosedQuery<'_> {
+    pub(super) fn query_of(&self, point: [f64; D]) -> Query<'_, 3, Pose> {
         let (body, pose) = &self.bodies[0];
         let point = std::array::from_fn(|axis| point.get(axis).copied().unwrap_or_default());
-        PosedQuery::of_point(point, body, pose).expect("the numbers of a question are finite")
+        Query::of_point_in(point, body.at(pose)).expect("the numbers of a question are finite")
     }
 
     /// The part that the answer hides.

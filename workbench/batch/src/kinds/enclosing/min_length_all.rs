@@ -3,7 +3,9 @@
 use serde_json::{Value, json};
 use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome, few_generators};
 
+use super::forces::forces;
 use super::outer::OuterPoints;
+use crate::claimed::{Traced, boolean, float, index, member, vector, vectors};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -18,6 +20,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["max_generators", "objective"],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
+    check,
 };
 
 /// The most points that are taken in 1, 2, … dimensions; of more in the plane and in space, the most corners of their
@@ -115,5 +118,45 @@ fn result<const D: usize>(points: &OuterPoints<D>, found: &MinLengthZonotope<D>)
         "ratio": to_json(found.ratio()),
         "within_epsilon": found.proof.outcome == Outcome::WithinEpsilon,
         "certificate": {"forces": forces},
+    })
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let points = vectors(member(input, "points")?, "points")?;
+    let answer = verifier::MinLengthAnswer {
+        length: float(result, "length")?,
+        center: vector(member(result, "center")?, "center")?,
+        generators: vectors(member(result, "generators")?, "generators")?,
+        lower_bound: float(result, "lower_bound")?,
+        ratio: float(result, "ratio")?,
+        within_epsilon: result.field("within_epsilon").map(|_| boolean(result, "within_epsilon")).transpose()?,
+        forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
+    };
+    let epsilon = float(input, "epsilon")?;
+    let is_volume = match input.field("objective").map(Traced::text) {
+        None | Some(Some("length")) => false,
+        Some(Some("volume")) => true,
+        Some(_) => {
+            return Ok(verifier::Verdict::Unchecked(
+                "the question's `objective` is neither length nor volume".to_owned(),
+            ));
+        }
+    };
+    let is_counted = input.field("max_generators").is_some();
+    // Who bounds the number of generators, or wants a small volume, gets the ratio that is found, whatever it is.
+    if !is_volume && !is_counted {
+        return Ok(verifier::check_min_length_all(&points, epsilon, &answer).in_words());
+    }
+    if is_counted && answer.generators.len() > index(input, "max_generators")? {
+        return Err(format!("{} generators, more than `max_generators`", answer.generators.len()));
+    }
+    let verdict = verifier::check_min_length_all_at_any_ratio(&points, epsilon, &answer).in_words();
+    let (verifier::Verdict::Right(proved), true) = (&verdict, is_volume) else { return Ok(verdict) };
+    let volume = float(result, "volume")?;
+    Ok(match verifier::check_measure(&answer.generators, volume).in_words() {
+        verifier::Verdict::Right(_) => {
+            verifier::Verdict::Right(format!("{proved}; volume {volume:?}, not proven to be the least"))
+        }
+        other => other,
     })
 }

@@ -4,7 +4,9 @@ use serde_json::{Value, json};
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, Method};
 use zonotope::numeric::Rational;
 
+use super::forces::forces;
 use super::outer::OuterPoints;
+use crate::claimed::{Traced, exact_numbers, float, indices, member, text, vector, vectors};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -18,6 +20,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
+    check,
 };
 
 /// The most coordinates that a point may have.
@@ -133,4 +136,33 @@ fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, points: &str, me
 /// A bound for the number of facets, opposite ones counted once, of a zonotope with k generators.
 fn facet_normals<const D: usize>(k: u64) -> u64 {
     (0..D as u64 - 1).fold(1_u64, |count, i| count.saturating_mul(k.saturating_sub(i)) / (i + 1))
+}
+
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<verifier::Verdict, String> {
+    let question = verifier::Directed {
+        points: vectors(member(input, "points")?, "points")?,
+        directions: vectors(member(input, "directions")?, "directions")?,
+        weights: vector(member(input, "weights")?, "weights")?,
+    };
+    let certificate = member(result, "certificate")?;
+    let status = text(result, "status")?;
+    let answer = match status {
+        "optimal" | "feasible" => verifier::DirectedAnswer::Optimal {
+            value: float(result, "value")?,
+            center: vector(member(result, "center")?, "center")?,
+            coefficients: vector(member(result, "coefficients")?, "coefficients")?,
+            lower_bound: float(result, "lower_bound")?,
+            forces: forces(certificate, exact_numbers)?,
+        },
+        "infeasible" => verifier::DirectedAnswer::Infeasible {
+            points: <[usize; 2]>::try_from(indices(certificate, "points")?)
+                .map_err(|_| "certificate: `points` are not two points")?,
+            functional: exact_numbers(member(certificate, "functional")?)
+                .ok_or("`functional` is not a list of exact numbers")?,
+        },
+        other => return Err(format!("there is no status `{other}`")),
+    };
+    let check =
+        if status == "feasible" { verifier::check_min_length_dirs_feasible } else { verifier::check_min_length_dirs };
+    Ok(check(&question, &answer).in_words())
 }

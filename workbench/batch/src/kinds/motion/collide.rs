@@ -5,6 +5,7 @@ use zonotope::collision::Witness;
 use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION, first_contact_within};
 use zonotope::motion::continuous::{FirstContact, FreeStretch, SeparatingDirection};
 
+use super::claimed_contact::check;
 use super::stated::motion;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -18,6 +19,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     optional: &["resolution"],
     methods: || vec![BY_CONTROL_POINTS],
     solve,
+    check,
 };
 
 const BY_CONTROL_POINTS: &str = "by_control_points";

@@ -1,4 +1,6 @@
 //! Kinds about bodies in motion, and how a question states a motion.
 
+mod claimed_contact;
 pub(super) mod collide;
 mod stated;
+pub(super) mod sweep;

@@ -1,54 +1,22 @@
 //! `zonobench distance`: how far apart two zonotopes are, or how deep they overlap.
 
+mod options;
 mod summary;
 
+pub use self::options::Options;
 use std::path::PathBuf;
 
-use clap::Args;
 use serde_json::Value;
 
 use super::Ending;
-use super::asked::{About, Asked, body_formats, check_dimensions, floats, record};
+use super::asked::{About, Asked, check_dimensions, floats, record};
 use super::intersect::drawing::draw_with_points;
 use super::intersect::meeting::{Gap, Meeting, Proof};
-use super::placing::{Placing, PlacingOfSecond};
+use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
-use super::verify::question_name;
-use crate::input::{Format, OptionNames, Placed};
+use crate::input::{OptionNames, Placed};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-
-/// Options of `distance`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The first zonotope, of one to three dimensions: JSON, or a table or an array of NumPy (csv, json, npy); `-` is
-    /// standard input.
-    ///
-    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
-    /// arrays are generators.
-    a: PathBuf,
-    /// The second zonotope.
-    b: PathBuf,
-    /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
-    #[arg(long, value_parser = body_formats())]
-    format: Option<Format>,
-    #[command(flatten)]
-    placing: Placing,
-    #[command(flatten)]
-    placing_of_b: PlacingOfSecond,
-    /// Write a picture of both bodies with their nearest points.
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
-    /// Write the answer with its certificate, in the format of `solve`.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the question in the format of `solve`: `verify` checks the answer against it.
-    #[arg(long, value_name = "FILE")]
-    question: Option<PathBuf>,
-    /// Replace files that exist.
-    #[arg(long)]
-    force: bool,
-}
 
 /// Reads, solves, checks, and prints the distance with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {

@@ -1,6 +1,6 @@
 //! The summary for a person of a distance.
 
-use super::Options;
+use super::options::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
 use crate::commands::placing::{describe, smaller_reach};
 use crate::commands::table::{Table, at_least, at_most, figure, position, tuple, with_six_digits};

@@ -11,8 +11,8 @@ use figures::own_data;
 use super::Ending;
 use super::asking::PointOptions;
 use super::placing::{Placing, in_words, rounded_in_words};
+use super::usage::question_name;
 use super::usage::{Usage, check_inputs, check_names, tell};
-use super::verify::question_name;
 use crate::input::{Body, OptionNames, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
 

@@ -3,13 +3,14 @@
 use anyhow::{Context, bail};
 use serde_json::Value;
 
+use super::options::Options;
 use super::summary::verification;
-use super::{Options, comparison, solid};
+use super::{comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
 use crate::commands::table::{Table, at_most, counted, figure, lower_bound, position, with_six_digits};
-use crate::commands::verify::question_name;
+use crate::commands::usage::question_name;
 use crate::input::{Body, Reading, body_of_answer};
 use crate::output::{Outputs, Results};
 use crate::progress::Progress;

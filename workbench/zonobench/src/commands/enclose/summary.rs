@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 
-use super::Options;
+use super::options::Options;
 use crate::commands::table::{Table, counted, figure, lower_bound, position};
 use crate::enclosure::Enclosure;
 use crate::input::Reading;

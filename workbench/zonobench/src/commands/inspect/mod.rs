@@ -3,67 +3,25 @@
 mod drawing;
 pub(super) mod export;
 mod measures;
+mod options;
 mod summary;
 mod vertices;
 
-use std::path::PathBuf;
+pub use self::options::Options;
 
 use anyhow::bail;
-use clap::Args;
 use zonotope::zonotope::faces::FaceLattice;
 
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
-use super::asked::{About, Asked, body_formats, record};
-use super::placing::Placing;
+use super::asked::{About, Asked, record};
+use super::usage::question_name;
 use super::usage::{check_inputs, check_names, tell};
-use super::verify::question_name;
-use crate::input::{Format, OptionNames, RoundedBody};
+use crate::input::{OptionNames, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
 use batch::MAX_DIMENSION;
 use batch::Verdict;
-
-/// Options of `inspect`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
-    ///
-    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
-    /// arrays are generators.
-    file: PathBuf,
-    /// The format, where the extension does not tell it.
-    #[arg(long, value_parser = body_formats())]
-    format: Option<Format>,
-    #[command(flatten)]
-    placing: Placing,
-    /// Write a picture of the body.
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
-    /// Write the vertices of a planar body, counter-clockwise: a table (.csv) or a polygon (.geojson).
-    ///
-    /// On standard output it is a table. Vertices that round to one point of doubles are written once.
-    #[arg(long, value_name = "FILE")]
-    vertices: Option<PathBuf>,
-    /// Write a body of space as a mesh, Wavefront OBJ.
-    #[arg(long, value_name = "FILE")]
-    obj: Option<PathBuf>,
-    /// Write a body of space as a mesh, PLY in text form.
-    #[arg(long, value_name = "FILE")]
-    ply: Option<PathBuf>,
-    /// Write a body of space as a mesh of triangles, binary STL.
-    #[arg(long, value_name = "FILE")]
-    stl: Option<PathBuf>,
-    /// Write the counts of faces, in the format of `solve`.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the question in the format of `solve`: `verify` checks the answer against it.
-    #[arg(long, value_name = "FILE")]
-    question: Option<PathBuf>,
-    /// Replace files that exist.
-    #[arg(long)]
-    force: bool,
-}
 
 /// Reads, counts, measures, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {

@@ -4,8 +4,8 @@ use serde_json::Value;
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
-use super::Options;
 use super::measures::Measures;
+use super::options::Options;
 use crate::commands::asked::how_to_verify;
 use crate::commands::placing::{in_words, rounded_in_words};
 use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, in_full, position};

@@ -2,52 +2,19 @@
 
 pub(super) mod drawing;
 pub(super) mod meeting;
+mod options;
 mod summary;
 
-use std::path::PathBuf;
-
-use clap::Args;
+pub use self::options::Options;
 
 use self::meeting::Meeting;
 use super::Ending;
-use super::asked::{About, body_formats, check_dimensions, record};
-use super::placing::{Placing, PlacingOfSecond};
+use super::asked::{About, check_dimensions, record};
+use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
-use super::verify::question_name;
-use crate::input::{Format, OptionNames};
+use crate::input::OptionNames;
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-
-/// Options of `intersect`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The first zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
-    ///
-    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
-    /// arrays are generators.
-    a: PathBuf,
-    /// The second zonotope.
-    b: PathBuf,
-    /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
-    #[arg(long, value_parser = body_formats())]
-    format: Option<Format>,
-    #[command(flatten)]
-    placing: Placing,
-    #[command(flatten)]
-    placing_of_b: PlacingOfSecond,
-    /// Write a picture of both bodies with the separating plane or the common point.
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
-    /// Write the answer with its certificate, in the format of `solve`.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the question in the format of `solve`: `verify` checks the answer against it.
-    #[arg(long, value_name = "FILE")]
-    question: Option<PathBuf>,
-    /// Replace files that exist.
-    #[arg(long)]
-    force: bool,
-}
 
 /// Reads, solves, checks, and prints the answer with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {

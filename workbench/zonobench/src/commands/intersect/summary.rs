@@ -1,7 +1,7 @@
 //! The summary for a person of an intersection.
 
-use super::Options;
 use super::meeting::{Meeting, Proof};
+use super::options::Options;
 use crate::commands::asked::how_to_verify;
 use crate::commands::placing::{describe, smaller_reach};
 use crate::commands::table::{Table, at_least, figure, position, tuple, with_six_digits};

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
-use crate::commands::reproduce::MANIFEST;
+use crate::report::MANIFEST;
 
 /// Why the records of a run are not read.
 #[derive(Debug, Error)]

@@ -9,8 +9,8 @@ use batch::did_you_mean;
 use experiments::catalog::EXPERIMENTS;
 use experiments::data::{self, OwnInput};
 use experiments::definition::{Experiment, FitPlan, PerProfile, Timing, Variant};
-use experiments::families::clouds::Cloud;
-use experiments::{families, runner};
+use experiments::runner;
+use families::clouds::Cloud;
 use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
@@ -192,7 +192,7 @@ fn leaked<T>(items: impl Iterator<Item = Result<T, ConfigError>>) -> Result<&'st
 
 /// The sort of a family or of a real input.
 fn sort_of(name: &str) -> Option<Sort> {
-    if families::find(name).is_some() || data::points(name).is_some() {
+    if families::points::find(name).is_some() || data::points(name).is_some() {
         Some(Sort::Points)
     } else if families::lines::find(name).is_some() {
         Some(Sort::Lines)

@@ -6,15 +6,12 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use crate::report::OutputFile;
+use crate::report::{MANIFEST, OutputFile};
 
 /// Stands in the folder while a run is not finished; the run holds a lock on it.
 const UNFINISHED: &str = "reproduce.unfinished";
 /// The folder of the raw records within that of the run.
 pub(super) const RECORDS: &str = "records";
-
-/// The list of what a finished run wrote.
-pub(in crate::commands) const MANIFEST: &str = "manifest.json";
 
 /// Why a run does not get its folder.
 #[derive(Debug, Error)]

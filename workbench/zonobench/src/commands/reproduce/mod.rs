@@ -19,14 +19,13 @@ use paper_checks::catalog::CLAIMS;
 use paper_checks::{ClaimResult, Finding};
 
 use self::config::Config;
-pub(super) use self::folder::MANIFEST;
 use self::folder::{Folder, RECORDS};
 use self::selection::Selection;
 use super::Ending;
 use super::records::table;
 use crate::output::{Existing, write_whole};
 use crate::progress::{Progress, RunProgress};
-use crate::report::{self, Evidence, Manifest, OutputFile, USUAL_SEED};
+use crate::report::{self, Evidence, MANIFEST, Manifest, OutputFile, USUAL_SEED};
 
 /// Options of `reproduce`.
 #[derive(Debug, Args)]

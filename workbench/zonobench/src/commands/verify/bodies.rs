@@ -8,9 +8,9 @@ use batch::read_pose;
 use serde_json::Value;
 
 use super::about::{AboutData, NO_RECORD, OTHER_DATA};
-use super::question_name;
 use crate::commands::asked::{About, Recorded, zonotope_of};
 use crate::commands::asking::{Asking, PointOptions};
+use crate::commands::usage::question_name;
 use crate::commands::usage::{Usage, tell};
 use crate::input::{BodySource, OptionNames, Reading, Wanted};
 

@@ -10,8 +10,8 @@ use batch::json::Tree;
 
 use super::about::{AboutData, NO_RECORD, OTHER_DATA};
 use super::documents::{first_document, standard_input_holds_questions};
-use super::question_name;
 use crate::commands::asking::{Asking, Recorded};
+use crate::commands::usage::question_name;
 use crate::input::Format;
 
 /// The question that `enclose` was asked about the file, if the file holds data and no questions.

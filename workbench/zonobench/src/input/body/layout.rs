@@ -1,7 +1,8 @@
 //! Which vectors of a table or of an array are generators: its rows or its columns, and whether the first is the
 //! centre.
 
-use super::{Body, OptionNames};
+use super::OptionNames;
+use super::zonotope::Body;
 use crate::input::error::{InputError, Place, Problem};
 use std::path::Path;
 

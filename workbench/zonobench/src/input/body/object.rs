@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use super::Body;
 use super::names::{self, Holder, MATRIX, POSE};
 use super::placed::Placed;
+use super::zonotope::Body;
 use crate::input::document::number;
 use crate::input::error::{InputError, Place, Problem};
-use crate::input::push_limited;
+use crate::input::points::push_limited;
 use batch::json::Tree;
 use batch::read_pose;
 

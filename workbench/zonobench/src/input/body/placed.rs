@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 use zonotope::numeric::dyadic::Dyadic;
 
-use super::Body;
+use super::zonotope::Body;
 use crate::input::error::{InputError, Place, Problem};
 use batch::json::{rows_to_json, vector_to_json};
 use batch::placement::{Placement, doubles, nearest};

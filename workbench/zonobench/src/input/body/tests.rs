@@ -1,5 +1,7 @@
 //! Bodies of every shape of file.
 
+use std::path::Path;
+
 use super::*;
 
 fn read(name: &str, content: &str) -> Result<Body, String> {

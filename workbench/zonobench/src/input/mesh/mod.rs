@@ -1,74 +1,20 @@
 //! Meshes: Wavefront OBJ, PLY, STL and OFF. The vertices are the points that were asked for; faces are read for
 //! pictures, and because a face that is cut off or names a vertex that is not there says that the file is broken.
 
+mod content;
 mod obj;
 mod off;
 mod ply;
 mod stl;
 mod words;
 
+use self::content::Mesh;
 use std::path::Path;
 
-use super::error::{InputError, Place, Problem};
+use super::Format;
+use super::error::InputError;
 use super::points::Points;
 use super::reading::{Reading, Skipping};
-use super::{Format, number, push_limited};
-
-/// The content of a mesh.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Mesh {
-    /// The vertices, in the order of the file; NaN for one that is left out, until [`Mesh::finish`].
-    vertices: Vec<[f64; 3]>,
-    /// The faces, each a list of three or more vertices.
-    faces: Vec<Box<[usize]>>,
-    /// The parts of the file that were left out.
-    left_out: Vec<String>,
-    /// Other things to know about the reading.
-    notes: Vec<String>,
-}
-
-impl Mesh {
-    /// Adds a vertex; a place for one that is left out, because a coordinate is missing or not finite.
-    fn push(
-        &mut self,
-        vertex: Result<[f64; 3], Problem>,
-        skipping: &mut Skipping,
-        place: impl Fn(usize) -> Place,
-    ) -> Result<(), Misplaced> {
-        let vertex = match vertex {
-            Err(problem) if skipping.passes_over(&problem) => Ok([f64::NAN; 3]),
-            vertex => vertex,
-        };
-        let number = self.vertices.len() + 1;
-        vertex.and_then(|vertex| push_limited(&mut self.vertices, vertex)).map_err(|problem| (problem, place(number)))
-    }
-
-    /// Adds a face; fewer than three corners are none. An error if a corner is not there.
-    fn add_face(&mut self, corners: &[usize], format: &str) -> Result<(), Problem> {
-        let count = self.vertices.len();
-        if let Some(corner) = corners.iter().find(|&&corner| corner >= count) {
-            let complaint = format!("a face has the vertex {corner}, counted from 0, of {count}");
-            return Err(broken(format, &complaint));
-        }
-        if corners.len() >= 3 {
-            self.faces.push(corners.into());
-        }
-        Ok(())
-    }
-
-    /// The mesh without the vertices that are left out and the faces at these.
-    fn finish(self) -> Self {
-        let is_left_out = |vertex: &[f64; 3]| vertex[0].is_nan();
-        let holes: Vec<usize> = (0..self.vertices.len()).filter(|&v| is_left_out(&self.vertices[v])).collect();
-        if holes.is_empty() {
-            return self;
-        }
-        let place = |&corner: &usize| holes.binary_search(&corner).err().map(|before| corner - before);
-        let faces = self.faces.iter().filter_map(|face| face.iter().map(place).collect()).collect();
-        let vertices = self.vertices.into_iter().filter(|vertex| !is_left_out(vertex)).collect();
-        Self { vertices, faces, ..self }
-    }
-}
 
 /// Reads the vertices and faces of a mesh.
 pub(super) fn points(
@@ -86,42 +32,6 @@ pub(super) fn points(
     let mesh = read(content, skipping).map_err(|(problem, place)| problem.at(file, place))?;
     let Mesh { vertices, faces, left_out, notes } = mesh.finish();
     Ok(Reading { faces, notes, ..Reading::without_columns(Points::Space(vertices), left_out) })
-}
-
-/// The fault, and its place in the file.
-type Misplaced = (Problem, Place);
-
-/// The coordinates that three words on a line spell, the first in the given column, or why a coordinate is missing; a
-/// broken number is an error, and comes before a missing one.
-fn on_line(words: [&[u8]; 3], column: u64, line: u64) -> Result<Result<[f64; 3], Problem>, Misplaced> {
-    let mut read = [0.0; 3];
-    let mut missing = None;
-    for ((column, slot), word) in (column..).zip(&mut read).zip(words) {
-        match number::number(word) {
-            Ok(number) => *slot = number,
-            Err(problem) if problem.is_missing() => missing = missing.or(Some(problem)),
-            Err(problem) => return Err((problem, Place::Cell { line, column })),
-        }
-    }
-    Ok(missing.map_or(Ok(read), Err))
-}
-
-/// Whether coordinates from the bytes of a file are finite.
-fn finite(vertex: [f64; 3]) -> Result<[f64; 3], Problem> {
-    match vertex.iter().find(|x| !x.is_finite()) {
-        Some(wrong) => Err(Problem::NotFinite(wrong.to_string())),
-        None => Ok(vertex),
-    }
-}
-
-/// The place of a vertex, counted from 1, on a line.
-fn vertex_on_line(number: usize, line: u64) -> Place {
-    Place::Path(format!("vertex {number}, line {line}"))
-}
-
-/// A reader's complaint.
-fn broken(format: &str, complaint: &str) -> Problem {
-    Problem::Mesh { format: format.to_owned(), complaint: complaint.to_owned() }
 }
 
 #[cfg(test)]

@@ -3,11 +3,12 @@
 
 use std::borrow::Cow;
 
+use super::content::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use super::words::{lines, words};
-use super::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use crate::input::error::{Place, Problem};
+use crate::input::points::{MAX_POINTS, push_limited};
 use crate::input::reading::{Skipping, counted};
-use crate::input::{MAX_POINTS, encoding, number, push_limited};
+use crate::input::{encoding, number};
 
 pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
     let text = encoding::text(content).map_err(|problem| (problem, Place::File))?;

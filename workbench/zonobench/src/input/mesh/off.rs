@@ -1,8 +1,8 @@
 //! OFF in text: the word `OFF`, perhaps, the numbers of vertices, faces and edges, then the vertices and the faces,
 //! each on a line of its own or all words in a row.
 
+use super::content::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use super::words::{lines, words};
-use super::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use crate::input::error::{Place, Problem};
 use crate::input::reading::{Skipping, counted};
 use crate::input::{MAX_POINTS, encoding};

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use super::content::{Mesh, Misplaced, broken, finite, on_line};
 use super::words::Words;
-use super::{Mesh, Misplaced, broken, finite, on_line};
 use crate::input::encoding;
 use crate::input::error::{Place, Problem};
 use crate::input::reading::{Skipping, counted};

@@ -10,9 +10,10 @@ use self::header::{Descr, Header};
 use self::item::Item;
 use super::columns::Columns;
 use super::error::{InputError, Place, Problem};
+use super::names;
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
+use super::points::{MAX_POINTS, push_limited};
 use super::reading::{Reading, Skipping, columns_of};
-use super::{MAX_POINTS, names, push_limited};
 
 /// The largest number of columns of an array of points, and of numbers in a record.
 const COLUMN_LIMIT: usize = 1 << 16;

@@ -2,10 +2,12 @@
 
 mod decimals;
 mod header;
+mod rows;
 mod separator;
 mod start;
 mod text;
 
+use self::rows::{cells, parsed};
 use std::path::Path;
 
 use csv::ByteRecord;
@@ -17,9 +19,10 @@ use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::number::is_number;
+use super::points::push_limited;
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
-use super::{encoding, names, push_limited};
+use super::{encoding, names};
 
 /// The place of the points in a table.
 pub(super) struct Shape<'a> {
@@ -333,22 +336,12 @@ impl Counting {
     }
 }
 
-/// The row, if it parses.
-fn parsed(file: &Path, row: csv::Result<ByteRecord>) -> Result<ByteRecord, InputError> {
-    row.map_err(|error| Problem::Table(error.to_string()).at(file, Place::File))
-}
-
 /// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
 /// of an unknown separator leave it.
 fn joins_digits(cell: &str) -> bool {
     let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
     let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
     is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
-}
-
-/// The cells of a row as text, without the space around them.
-fn cells(row: &ByteRecord) -> Vec<String> {
-    row.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect()
 }
 
 #[cfg(test)]

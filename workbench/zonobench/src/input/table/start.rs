@@ -6,8 +6,8 @@ use std::path::Path;
 use csv::ByteRecord;
 
 use super::header::{has_number, is_nameless, is_text, lone_count, numbers_columns};
+use super::rows::{cells, parsed};
 use super::text::Text;
-use super::{cells, parsed};
 use crate::input::error::InputError;
 use crate::input::number;
 

@@ -6,8 +6,9 @@ use experiments::fit::{GrowthModel, ModelVerdict};
 use paper_checks::Finding;
 
 use super::experiment;
-use super::figures::{DrawnFigure, plates};
+use super::figures::plates;
 use super::layout::{Layout, Part};
+use crate::report::DrawnFigure;
 use crate::report::Evidence;
 use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::{Escaped, badge, prose, table};

@@ -1,18 +1,10 @@
 //! Figures within a page.
 
+use crate::report::DrawnFigure;
 use figures::figure::{Figure, FigureInput};
 
 use crate::report::html::{Escaped, prose};
 use crate::report::repeat::{Repeat, shown};
-
-/// A figure with its drawing.
-#[derive(Debug)]
-pub struct DrawnFigure {
-    /// The figure.
-    pub figure: &'static Figure,
-    /// The SVG document, or why there is none.
-    pub drawing: Result<String, String>,
-}
 
 impl DrawnFigure {
     /// Draws a figure.

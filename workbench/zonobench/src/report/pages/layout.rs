@@ -4,7 +4,7 @@
 use experiments::definition::Experiment;
 use paper_checks::ClaimResult;
 
-use super::figures::DrawnFigure;
+use crate::report::DrawnFigure;
 use crate::report::Evidence;
 use crate::report::chapter::Chapter;
 use crate::report::chapters::CHAPTERS;

@@ -13,7 +13,6 @@ mod reading;
 use experiments::measured::Measured;
 use experiments::record::TimeOutcome;
 
-pub use figures::DrawnFigure;
 pub use reading::CITATION;
 
 use self::figures::plates;
@@ -22,6 +21,7 @@ use super::Evidence;
 use super::html::{Escaped, grouped, page, table};
 use super::repeat::Repeat;
 use super::tables::{growth_table, time_table};
+use crate::report::DrawnFigure;
 
 /// `report.html`: nothing in it depends on a clock or a machine.
 pub fn report(evidence: &Evidence) -> String {

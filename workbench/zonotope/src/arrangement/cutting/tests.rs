@@ -2,6 +2,7 @@
 
 use std::num::NonZeroU32;
 
+use families::drawn::numbers::{extreme_scale, integer};
 use proptest::prelude::*;
 
 use super::*;
@@ -59,14 +60,6 @@ fn rows(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value 
     proptest::collection::vec([coefficient.clone(), coefficient.clone(), coefficient], 0..14)
 }
 
-fn lattice() -> impl Strategy<Value = f64> + Clone {
-    (-3i32..4).prop_map(f64::from)
-}
-
-fn scale() -> impl Strategy<Value = f64> + Clone {
-    prop_oneof![Just(1.0), Just(1e-300), Just(1e300), Just(1e-5), Just(f64::from_bits(1)), Just(1e150)]
-}
-
 proptest! {
     #![proptest_config(crate::property_cases::config(60))]
 
@@ -76,35 +69,35 @@ proptest! {
     }
 
     #[test]
-    fn lattice_lines(rows in rows(lattice()), r in 1..20u32, seed in 0..4u64) {
+    fn lattice_lines(rows in rows(integer(3)), r in 1..20u32, seed in 0..4u64) {
         check(&rows, r, seed)?;
     }
 
     #[test]
-    fn lines_of_all_magnitudes(rows in rows((lattice(), scale()).prop_map(|(v, s)| v * s)), r in 1..9u32) {
+    fn lines_of_all_magnitudes(rows in rows((integer(3), extreme_scale()).prop_map(|(v, s)| v * s)), r in 1..9u32) {
         check(&rows, r, 0)?;
     }
 
     #[test]
-    fn lines_of_one_magnitude(rows in rows(-1.0..1.0f64), s in scale(), t in scale(), r in 1..9u32) {
+    fn lines_of_one_magnitude(rows in rows(-1.0..1.0f64), s in extreme_scale(), t in extreme_scale(), r in 1..9u32) {
         let rows: Vec<_> = rows.iter().map(|[a, b, c]| [a * s, b * s, c * t]).collect();
         check(&rows, r, 0)?;
     }
 
     #[test]
-    fn lines_apart_by_units_in_the_last_place(rows in rows(lattice()), r in 1..9u32) {
+    fn lines_apart_by_units_in_the_last_place(rows in rows(integer(3)), r in 1..9u32) {
         let nudge = |steps: f64| f64::from_bits((1f64.to_bits() as i64 + steps as i64) as u64);
         check(&rows.iter().map(|row| row.map(nudge)).collect::<Vec<_>>(), r, 0)?;
     }
 
     #[test]
-    fn nearly_parallel_lines(rows in rows(lattice()), r in 1..9u32) {
+    fn nearly_parallel_lines(rows in rows(integer(3)), r in 1..9u32) {
         let rows: Vec<_> = rows.iter().map(|[a, b, c]| [1.0 + a * 1e-12, 1.0, 1.0 + b + c * 1e-12]).collect();
         check(&rows, r, 0)?;
     }
 
     #[test]
-    fn concurrent_lines(rows in rows(lattice()), x in lattice(), y in lattice(), r in 1..20u32) {
+    fn concurrent_lines(rows in rows(integer(3)), x in integer(3), y in integer(3), r in 1..20u32) {
         let rows: Vec<_> = rows.iter().map(|[a, b, _]| [*a, *b, -(a * x + b * y)]).collect();
         check(&rows, r, 0)?;
     }
@@ -117,8 +110,8 @@ proptest! {
 
     #[test]
     fn vertical_and_equal_lines(
-        rows in rows(lattice()),
-        vertical in proptest::collection::vec(lattice(), 0..8),
+        rows in rows(integer(3)),
+        vertical in proptest::collection::vec(integer(3), 0..8),
         copies in 1..4usize,
         r in 1..30u32,
     ) {
@@ -128,7 +121,7 @@ proptest! {
     }
 
     #[test]
-    fn parallel_families(rows in rows(lattice()), slopes in [-1.0..1.0f64, -1.0..1.0], r in 1..20u32) {
+    fn parallel_families(rows in rows(integer(3)), slopes in [-1.0..1.0f64, -1.0..1.0], r in 1..20u32) {
         let rows: Vec<_> = rows.iter().map(|[a, _, c]| [slopes[usize::from(*a > 0.0)], 1.0, *c]).collect();
         check(&rows, r, 0)?;
     }

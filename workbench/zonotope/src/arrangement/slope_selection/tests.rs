@@ -1,5 +1,6 @@
 //! Selection against the truth, for every rank, on every family of lines; growth of the operation counts.
 
+use families::drawn::numbers::{extreme_scale, integer, nudged};
 use proptest::prelude::*;
 
 use super::*;
@@ -35,18 +36,6 @@ fn rows(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value 
     proptest::collection::vec([coefficient.clone(), coefficient.clone(), coefficient], 0..26)
 }
 
-fn lattice() -> impl Strategy<Value = f64> + Clone {
-    (-3i32..4).prop_map(f64::from)
-}
-
-fn scale() -> impl Strategy<Value = f64> + Clone {
-    prop_oneof![Just(1.0), Just(1e-300), Just(1e300), Just(1e-5), Just(f64::from_bits(1)), Just(1e150)]
-}
-
-fn nudge(value: f64, steps: i64) -> f64 {
-    f64::from_bits((value.to_bits() as i64 + steps) as u64)
-}
-
 proptest! {
     #![proptest_config(crate::property_cases::config(300))]
 
@@ -56,35 +45,35 @@ proptest! {
     }
 
     #[test]
-    fn lattice_lines(rows in rows(lattice())) {
+    fn lattice_lines(rows in rows(integer(3))) {
         check(&rows)?;
     }
 
     #[test]
-    fn lines_of_all_magnitudes(rows in rows((lattice(), scale()).prop_map(|(v, s)| v * s))) {
+    fn lines_of_all_magnitudes(rows in rows((integer(3), extreme_scale()).prop_map(|(v, s)| v * s))) {
         check(&rows)?;
     }
 
     #[test]
-    fn lines_of_one_magnitude(rows in rows(-1.0..1.0f64), s in scale(), t in scale()) {
+    fn lines_of_one_magnitude(rows in rows(-1.0..1.0f64), s in extreme_scale(), t in extreme_scale()) {
         let rows: Vec<_> = rows.iter().map(|[a, b, c]| [a * s, b * s, c * t]).collect();
         check(&rows)?;
     }
 
     #[test]
-    fn nearly_parallel_lines(rows in rows(lattice())) {
+    fn nearly_parallel_lines(rows in rows(integer(3))) {
         let rows: Vec<_> = rows.iter().map(|[a, b, c]| [1.0 + a * 1e-12, 1.0, 1.0 + b + c * 1e-12]).collect();
         check(&rows)?;
     }
 
     #[test]
-    fn lines_apart_by_units_in_the_last_place(rows in rows(lattice())) {
-        let rows: Vec<_> = rows.iter().map(|row| row.map(|steps| nudge(1.0, steps as i64))).collect();
+    fn lines_apart_by_units_in_the_last_place(rows in rows(integer(3))) {
+        let rows: Vec<_> = rows.iter().map(|row| row.map(|steps| nudged(1.0, steps as i64))).collect();
         check(&rows)?;
     }
 
     #[test]
-    fn concurrent_lines(rows in rows(lattice()), x in lattice(), y in lattice()) {
+    fn concurrent_lines(rows in rows(integer(3)), x in integer(3), y in integer(3)) {
         let rows: Vec<_> = rows.iter().map(|[a, b, _]| [*a, *b, -(a * x + b * y)]).collect();
         check(&rows)?;
     }
@@ -96,14 +85,14 @@ proptest! {
     }
 
     #[test]
-    fn vertical_lines_among_others(rows in rows(lattice()), vertical in proptest::collection::vec(lattice(), 0..26)) {
+    fn vertical_lines_among_others(rows in rows(integer(3)), vertical in proptest::collection::vec(integer(3), 0..26)) {
         let vertical = vertical.into_iter().map(|x| [1.0, 0.0, x]);
         check(&rows.into_iter().chain(vertical).collect::<Vec<_>>())?;
     }
 
     #[test]
     fn vertical_lines_across_few_others(
-        rows in proptest::collection::vec([lattice(), lattice(), lattice()], 0..4),
+        rows in proptest::collection::vec([integer(3), integer(3), integer(3)], 0..4),
         vertical in proptest::collection::vec(-1.0..1.0f64, 0..26),
     ) {
         let vertical = vertical.into_iter().map(|x| [1.0, 0.0, x]);
@@ -111,7 +100,7 @@ proptest! {
     }
 
     #[test]
-    fn parallel_families(rows in rows(lattice()), slopes in [-1.0..1.0f64, -1.0..1.0]) {
+    fn parallel_families(rows in rows(integer(3)), slopes in [-1.0..1.0f64, -1.0..1.0]) {
         let rows: Vec<_> = rows.iter().map(|[a, _, c]| [slopes[usize::from(*a > 0.0)], 1.0, *c]).collect();
         check(&rows)?;
     }

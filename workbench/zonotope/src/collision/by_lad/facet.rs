@@ -49,7 +49,6 @@
 //! assert_eq!(facet.location().status().name(), "outside");
 //! ```
 
-use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
 use crate::collision::proof::of_optimum;
 use crate::collision::{Gauge, Location};
 #[cfg(test)]
@@ -58,7 +57,7 @@ use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;
-use crate::lad::of_generators::{solve, solve_from};
+use crate::lad::of_generators::solve;
 use crate::tally::Tally;
 
 /// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
@@ -69,14 +68,9 @@ pub struct Facet<'q> {
 }
 
 impl<'q> Facet<'q> {
-    /// Finds the facet, or a separating direction if the goal allows that and one is found first.
-    pub(super) fn find(query: &'q dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Self {
-        Self { query, optimum: solve(query, goal, tally) }
-    }
-
-    /// Finds the facet, or a proof of the location, by a search that begins at a vertex, if there is one.
-    pub(super) fn find_proof(query: &'q dyn KernelQuery, vertex: Option<[usize; 2]>, tally: &mut dyn Tally) -> Self {
-        Self { query, optimum: solve_from(query, Goal::Proof(location_by_pair), vertex, tally) }
+    /// Finds the facet.
+    pub(super) fn find(query: &'q dyn KernelQuery, tally: &mut dyn Tally) -> Self {
+        Self { query, optimum: solve(query, Goal::Gauge, tally) }
     }
 
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
@@ -126,14 +120,6 @@ impl<'q> Facet<'q> {
     /// [`location`](Self::location), counting its operations.
     pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
         of_optimum::location(self.query, &self.optimum, tally)
-    }
-
-    /// Where the displacement lies, with the proof that was found in the place of a facet, if one was.
-    pub(super) fn into_location(self, tally: &mut dyn Tally) -> Location<3> {
-        match self.optimum {
-            Optimum::Told(told) => of_optimum::of_told(told, tally),
-            optimum => of_optimum::location(self.query, &optimum, tally),
-        }
     }
 
     /// The gauge by exact arithmetic on all generators: the truth that the others are held to.

@@ -15,10 +15,10 @@
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
 //!    [`by_lad_in_r4`]. A question of extreme size is multiplied by a power of two (`scaled`).
-//! 2. Where all that is asked is the location, a point far inside or far outside is told and proved first (`early`), of
-//!    bodies under poses as well.
+//! 2. Where all that is asked is the location, `ladder` says what is tried before the optimum: a point far inside or far
+//!    outside is proved first (`early`).
 //! 3. Of a few hundred generators, a vertex that doubles find proves the location by itself, nearly always
-//!    (`at_likely_vertex`).
+//!    (`proof::at_vertex`).
 //! 4. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
 //!    which order.
 //! 5. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
@@ -56,9 +56,9 @@
 //! assert_eq!(by_lad::gauge(&query).value, 2.0);
 //! ```
 
-mod at_likely_vertex;
 pub(super) mod early;
 mod facet;
+pub(super) mod ladder;
 mod scaled;
 
 pub use facet::Facet;
@@ -66,57 +66,47 @@ pub use facet::Facet;
 #[cfg(test)]
 pub(in crate::collision) mod tests;
 
-use self::early::posed::PosedRows;
 use self::scaled::Scaled;
-use super::proof::of_optimum;
 use super::{Gauge, Location, Query, by_lad_in_r4};
-use crate::lad::of_generators::goal::Goal;
-use crate::lad::of_generators::seam::generators::Posed;
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::Standing;
 
-/// Where a displacement lies relative to the zonotope of its generators, with a proof.
-pub fn locate<const D: usize>(query: &Query<'_, D>) -> Location<D> {
+/// Where a displacement lies relative to the zonotope of its generators, with a proof whose coefficients are those of
+/// the generators as they are stored.
+///
+/// Under poses the proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M
+/// g_i|.
+pub fn locate<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Location<D> {
     locate_counted(query, &mut ())
 }
 
 /// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Location<D> {
+pub fn locate_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Location<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    if let Some(query) = query.in_dimension::<4>() {
-        return lowered(by_lad_in_r4::locate_counted(&query, &mut &mut *tally), query.len());
-    }
-    if let Some(scaled) = Scaled::of(query) {
-        return locate_counted(&scaled.query(), tally);
-    }
-    match query.in_dimension::<3>() {
-        Some(query) => lowered(locate_in_space(&query, tally), query.len()),
-        None => {
-            let prism = Prism::over(query);
-            prism.lower(Facet::find_proof(&prism.query(), None, tally).into_location(tally))
+    if let Some(query) = query.at_rest() {
+        if let Some(query) = query.in_dimension::<4>() {
+            return lowered(by_lad_in_r4::locate_counted(&query, &mut &mut *tally), query.len());
+        }
+        if let Some(scaled) = Scaled::of(&query) {
+            return locate_counted(&scaled.query(), tally);
+        }
+        if D < 3 {
+            let prism = Prism::over(&query);
+            return prism.lower(ladder::from_optimum(&prism.query(), None, tally).counted(tally));
         }
     }
-}
-
-/// [`locate_counted`] in space, compiled once for all dimensions and tallies.
-fn locate_in_space(query: &Query<'_, 3>, tally: &mut dyn Tally) -> Location<3> {
-    if let Some(clear) = early::locate(query, tally) {
-        return clear.location();
-    }
-    match at_likely_vertex::told(query, tally) {
-        Ok(told) => of_optimum::of_told(told, tally),
-        Err(vertex) => Facet::find_proof(query, vertex, tally).into_location(tally),
-    }
+    let query = query.in_dimension::<3>().expect("other dimensions were answered above");
+    lowered(ladder::locate(&query, tally), query.len())
 }
 
 /// The gauge of a displacement and where it lies.
-pub fn gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
+pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Gauge<D> {
     gauge_counted(query, &mut ())
 }
 
 /// [`gauge`], counting its operations.
-pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Gauge<D> {
+pub fn gauge_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
     measured(query, |facet, tally| facet.gauge_counted(tally), tally)
 }
 
@@ -124,81 +114,46 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally
 /// the coefficients of the basis ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
 ///
 /// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.
-pub fn nearest_gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
+pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Gauge<D> {
     nearest_gauge_counted(query, &mut ())
 }
 
 /// [`nearest_gauge`], counting its operations.
-pub fn nearest_gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Gauge<D> {
+pub fn nearest_gauge_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
     measured(query, |facet, tally| facet.nearest_gauge_counted(tally), tally).with_nearest_basis(query)
 }
 
 /// The gauge of a displacement as a function reads it off the facet; one of R^4 as [`by_lad_in_r4`] has it.
-fn measured<const D: usize>(
-    query: &Query<'_, D>,
+fn measured<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
     of: fn(&Facet<'_>, &mut dyn Tally) -> Gauge<3>,
     tally: &mut dyn Tally,
 ) -> Gauge<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    if let Some(query) = query.in_dimension::<4>() {
-        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
-        return Gauge { value, error, location: lowered(location, query.len()) };
+    let lower = |Gauge { value, error, location }| Gauge { value, error, location: lowered(location, query.len()) };
+    if let Some(query) = query.at_rest() {
+        if let Some(query) = query.in_dimension::<4>() {
+            let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
+            return Gauge { value, error, location: lowered(location, query.len()) };
+        }
+        if let Some(scaled) = Scaled::of(&query) {
+            return measured(&scaled.query(), of, tally);
+        }
+        if D < 3 {
+            return lower(of(&Facet::find(&Prism::over(&query).query(), tally), tally));
+        }
     }
-    if let Some(scaled) = Scaled::of(query) {
-        return measured(&scaled.query(), of, tally);
-    }
-    let Gauge { value, error, location } = match query.in_dimension::<3>() {
-        Some(query) => of(&Facet::find(&query, Goal::Gauge, tally), tally),
-        None => of(&Facet::find(&Prism::over(query).query(), Goal::Gauge, tally), tally),
-    };
-    Gauge { value, error, location: lowered(location, query.len()) }
-}
-
-/// Where the displacement of a query about posed bodies lies, with a proof whose coefficients are those of the
-/// generators as they are stored.
-///
-/// The proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M g_i|. A pose
-/// that is new in each question costs little: what is clear is told by passes over the rows as they are stored, and the
-/// bounds of the matrices that a search needs are computed where there is one.
-pub fn locate_posed(query: &PosedQuery<'_>) -> Location<3> {
-    locate_posed_counted(query, &mut ())
-}
-
-/// [`locate_posed`], counting its operations.
-pub fn locate_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Location<3> {
-    match PosedRows::new(query).and_then(|rows| early::locate(&rows, tally)) {
-        Some(clear) => clear.location(),
-        None => Facet::find(&Posed::new(query), Goal::Location, tally).location_counted(tally),
-    }
-}
-
-/// The gauge of the displacement of a query about posed bodies, and where it lies.
-pub fn gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
-    gauge_posed_counted(query, &mut ())
-}
-
-/// [`gauge_posed`], counting its operations.
-pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gauge<3> {
-    Facet::find(&Posed::new(query), Goal::Gauge, tally).gauge_counted(tally)
-}
-
-/// The same as answers of bodies have it ([`nearest_gauge`]).
-pub fn nearest_gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
-    nearest_gauge_posed_counted(query, &mut ())
-}
-
-/// [`nearest_gauge_posed`], counting its operations.
-pub fn nearest_gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gauge<3> {
-    Facet::find(&Posed::new(query), Goal::Gauge, tally).nearest_gauge_counted(tally).with_nearest_basis(query)
+    let query = query.in_dimension::<3>().expect("other dimensions were answered above");
+    lower(of(&Facet::find(&query, tally), tally))
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)
 /// proof.
-pub fn facet<'q>(query: &'q Query<'q, 3>) -> Facet<'q> {
+pub fn facet<'q, P: Standing>(query: &'q Query<'q, 3, P>) -> Facet<'q> {
     facet_counted(query, &mut ())
 }
 
 /// [`facet`], counting its operations.
-pub fn facet_counted<'q>(query: &'q Query<'q, 3>, tally: &mut dyn Tally) -> Facet<'q> {
-    Facet::find(query, Goal::Gauge, tally)
+pub fn facet_counted<'q, P: Standing>(query: &'q Query<'q, 3, P>, tally: &mut dyn Tally) -> Facet<'q> {
+    Facet::find(query, tally)
 }

@@ -8,8 +8,8 @@
 use super::chain::Chain;
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
-use crate::collision::proof::balance::basis::Basis;
-use crate::collision::proof::of_optimum::exactly::rounded;
+use crate::collision::proof::balance::basis::{Basis, Candidate};
+use crate::collision::proof::balance::triple::Coefficients;
 use crate::collision::proof::to_doubles::rounded_off_a_basis;
 use crate::collision::{Query, Witness};
 use crate::numeric::Rational;
@@ -82,15 +82,8 @@ impl Mixture {
             let others = signed_sum(others.map(|&member| (question.generator(member), 1)));
             difference(&rest, &multiple(&Dyadic::from_f64(class.value), &others))
         });
-        let numerators = basis.numerators(&rest);
-        let fits = |numerator: &Dyadic| numerator.clone().abs() <= *basis.determinant();
-        if basis.misses(&rest) || !numerators.iter().all(fits) {
-            return settled(question, &classes, &total);
-        }
-        for (&member, numerator) in basis.generators.iter().zip(&numerators) {
-            coefficients[member] = rounded(numerator, basis.determinant());
-        }
-        Witness { coefficients, basis: basis.generators }
+        let witness = if basis.misses(&rest) { None } else { basis.absorbing(&rest, coefficients) };
+        witness.unwrap_or_else(|| settled(question, &classes, &total))
     }
 
     /// The generators by pattern, in the order of the patterns.
@@ -106,7 +99,7 @@ impl Mixture {
             });
             let is_settled = numerator.clone().abs() == *total;
             // a mean of one point has no weight when the zonotope is that point
-            let value = if total.is_zero() { 1.0 } else { rounded(&numerator, total) };
+            let value = numerator.coefficient(total).unwrap_or(1.0);
             Class { members, numerator, value, is_settled }
         })
         .collect()
@@ -115,23 +108,15 @@ impl Mixture {
 
 /// Independent generators, as many as there are among the loose ones, with room on both sides where there is a choice.
 fn spanning(question: &Query<'_, 3>, loose: &[&Class]) -> Basis {
-    let mut basis = Basis::new(Vec::new());
-    let members = || loose.iter().flat_map(|class| class.members.iter().map(|&member| (class.value, member)));
-    while basis.rank() < 3 {
-        let normals = basis.rounded_normals();
-        let key = |(value, member): (f64, usize)| {
-            let v = question.generator(member);
-            let distance = normals.iter().map(|n| (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]).abs()).sum::<f64>();
-            let key = distance * (1.0 - value.abs());
-            if key.is_finite() { key } else { 0.0 }
-        };
-        let is_missed = |member: &usize| basis.misses(&exact(question.generator(*member)));
-        let best = members().max_by(|&a, &b| key(a).total_cmp(&key(b)).then(b.1.cmp(&a.1)));
-        let best = best.map(|(_, member)| member).filter(is_missed);
-        let Some(next) = best.or_else(|| members().map(|(_, member)| member).find(is_missed)) else { break };
-        basis = basis.with(next, |member| exact(question.generator(member)));
-    }
-    basis
+    let candidates = || {
+        let members = loose.iter().flat_map(|class| class.members.iter().map(|&member| (class.value, member)));
+        members.map(|(value, member)| Candidate {
+            index: member,
+            vector: question.generator(member),
+            room: 1.0 - value.abs(),
+        })
+    };
+    Basis::new(Vec::new()).extended(candidates, |member| exact(question.generator(member))).0
 }
 
 /// The proof with doubles off the basis that needs no room. O(n) eliminations.

@@ -1,5 +1,6 @@
 //! The search against the truth and the kernel, on every family; every proof checked on its own.
 
+use families::drawn::numbers::integer;
 use proptest::prelude::*;
 
 use super::*;
@@ -44,10 +45,6 @@ fn coordinates(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<
     [coordinate.clone(), coordinate.clone(), coordinate]
 }
 
-fn lattice() -> impl Strategy<Value = f64> + Clone {
-    (-2i32..3).prop_map(f64::from)
-}
-
 fn scale() -> impl Strategy<Value = f64> + Clone {
     prop_oneof![Just(1.0), Just(1e-300), Just(1e300), Just(f64::from_bits(1)), Just(1e-17), Just(1e16)]
 }
@@ -69,7 +66,7 @@ proptest! {
     }
 
     #[test]
-    fn lattice_bodies(g in several(coordinates(lattice())), p in coordinates((-4i32..5).prop_map(f64::from))) {
+    fn lattice_bodies(g in several(coordinates(integer(2))), p in coordinates((-4i32..5).prop_map(f64::from))) {
         check(&g, [0.0; 3], p)?;
     }
 
@@ -80,7 +77,7 @@ proptest! {
 
     #[test]
     fn around_lattice_bodies(
-        g in several(coordinates(lattice())),
+        g in several(coordinates(integer(2))),
         signs in signs(),
         t in (0i32..5).prop_map(|t| f64::from(t) / 4.0),
     ) {
@@ -88,21 +85,23 @@ proptest! {
     }
 
     #[test]
-    fn around_flat_bodies(g in several(coordinates(lattice())), axis in 0usize..3, signs in signs(), t in 0.0..1.0f64) {
+    fn around_flat_bodies(
+        g in several(coordinates(integer(2))), axis in 0usize..3, signs in signs(), t in 0.0..1.0f64
+    ) {
         let flat: Vec<Vector> = g.into_iter().map(|mut v| { v[axis] = 0.0; v }).collect();
         check_around(&flat, &signs, t)?;
     }
 
     #[test]
-    fn around_slanted_flat_bodies(g in several(coordinates(lattice())), signs in signs(), t in 0.0..1.0f64) {
+    fn around_slanted_flat_bodies(g in several(coordinates(integer(2))), signs in signs(), t in 0.0..1.0f64) {
         let flat: Vec<Vector> = g.into_iter().map(|[x, y, _]| [x, y, 2.0 * x - y]).collect();
         check_around(&flat, &signs, t)?;
     }
 
     #[test]
     fn around_segments(
-        factors in proptest::collection::vec(lattice(), 0..5),
-        v in coordinates(lattice()),
+        factors in proptest::collection::vec(integer(2), 0..5),
+        v in coordinates(integer(2)),
         signs in signs(),
         t in 0.0..1.0f64,
     ) {
@@ -112,7 +111,7 @@ proptest! {
 
     #[test]
     fn around_bodies_of_all_magnitudes(
-        g in proptest::collection::vec((coordinates(lattice()), scale()).prop_map(|(v, s)| v.map(|c| c * s)), 0..6),
+        g in proptest::collection::vec((coordinates(integer(2)), scale()).prop_map(|(v, s)| v.map(|c| c * s)), 0..6),
         signs in signs(),
         t in 0.0..1.0f64,
     ) {
@@ -132,7 +131,7 @@ proptest! {
 
     #[test]
     fn around_bodies_with_coordinates_of_their_own_magnitudes(
-        g in several(coordinates(lattice())), s in coordinates(scale()), signs in signs(), t in 0.0..1.0f64,
+        g in several(coordinates(integer(2))), s in coordinates(scale()), signs in signs(), t in 0.0..1.0f64,
     ) {
         let g: Vec<Vector> = g.into_iter().map(|v| [0, 1, 2].map(|i| v[i] * s[i])).collect();
         check_around(&g, &signs, t)?;
@@ -141,7 +140,7 @@ proptest! {
     #[test]
     fn nudged_lattice_bodies(
         g in several(
-            (coordinates(lattice()), coordinates(lattice()))
+            (coordinates(integer(2)), coordinates(integer(2)))
                 .prop_map(|(v, n)| [0, 1, 2].map(|i| v[i] * (1.0 + n[i] * f64::EPSILON)))
         ),
         signs in signs(),
@@ -152,9 +151,9 @@ proptest! {
 
     #[test]
     fn distant_points(
-        g in several(coordinates(lattice())),
-        from in coordinates(lattice()),
-        to in coordinates(lattice()),
+        g in several(coordinates(integer(2))),
+        from in coordinates(integer(2)),
+        to in coordinates(integer(2)),
     ) {
         let from = from.map(|c| c * 1e16);
         let to = [0, 1, 2].map(|i| from[i] + to[i]);
@@ -170,7 +169,7 @@ proptest! {
     }
 
     #[test]
-    fn the_plane_and_the_line(g in proptest::collection::vec([lattice(), lattice()], 0..6), p in [-4i32..5, -4..5]) {
+    fn the_plane_and_the_line(g in proptest::collection::vec([integer(2), integer(2)], 0..6), p in [-4i32..5, -4..5]) {
         let question = Query::new([0.0; 2], p.map(f64::from), &g).expect("finite");
         let location = locate(&question, 0);
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());

@@ -5,6 +5,8 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
 use crate::numeric::scaling::scale_by_power_of_two;
+use crate::zonotope::placed::Standing;
+use crate::zonotope::query::Query;
 
 /// How near two closed bodies are, or a point and a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +45,17 @@ pub struct Gap<const D: usize> {
     /// The face of A whose outer normal is u, and that of B whose outer normal is −u: all pairs of nearest points lie
     /// on these.
     pub features: [Feature; 2],
+}
+
+impl<const D: usize> Proximity<D> {
+    /// The same answer, the proof of bodies that meet as [`Witness::with_nearest_basis`] has it.
+    pub fn with_nearest_basis<P: Standing>(self, query: &Query<'_, D, P>) -> Self {
+        match self {
+            Self::Touching(witness) => Self::Touching(witness.with_nearest_basis(query)),
+            Self::Overlapping(witness) => Self::Overlapping(witness.with_nearest_basis(query)),
+            disjoint @ Self::Disjoint(_) => disjoint,
+        }
+    }
 }
 
 /// A face of a body: that in which a direction is largest.

@@ -7,13 +7,13 @@ use super::answer::{Feature, FeatureKind, Proximity};
 use crate::collision::Witness;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Posed};
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::lad::of_generators::{ladder, solve};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, Span, dot, exact, solve as solve_exactly};
-use crate::zonotope::posed_query::PosedQuery;
+use crate::numeric::exact_linear::{ExactVector, Span, dot, solve as solve_exactly};
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
 /// Where two bodies meet.
@@ -38,31 +38,20 @@ pub struct Touching<const D: usize> {
 
 /// Where the bodies of a query meet, of which the proximity is known; none for disjoint ones. O(n), and the exact
 /// optimum of the kernel for bodies that touch.
-pub fn contact<const D: usize>(query: &Query<'_, D>, proximity: &Proximity<D>) -> Option<Contact<D>> {
+pub fn contact<const D: usize, P: Standing>(query: &Query<'_, D, P>, proximity: &Proximity<D>) -> Option<Contact<D>> {
     let witness = witness(proximity)?;
-    let generators: Vec<[Dyadic; D]> = query.generators().map(|v| exact(*v)).collect();
+    let generators: Vec<[Dyadic; D]> = query.exact_generators().collect();
     let count = query.runs()[0].len();
-    let (from, to) = (exact(query.from()), exact(query.to()));
+    let [from, to] = query.ends();
     let p = array::from_fn(|k| &to[k] - &from[k]);
     let point = point(&from, &p, witness, &generators, count);
     let touching = is_touching(proximity).then(|| {
-        let normal = || match query.in_dimension::<3>() {
-            Some(query) => facet_normal(&query),
-            None => facet_normal(&Prism::over(query).query()),
+        let normal = || match (query.in_dimension::<3>(), query.at_rest()) {
+            (Some(query), _) => facet_normal(&query),
+            (None, query) => facet_normal(&Prism::over(&query?).query()),
         };
         touching(&generators, count, || normal().map(|normal| array::from_fn(|k| normal[k].clone())))
     });
-    Some(Contact { point, touching })
-}
-
-/// The same for bodies under poses.
-pub fn contact_posed(query: &PosedQuery<'_>, proximity: &Proximity<3>) -> Option<Contact<3>> {
-    let witness = witness(proximity)?;
-    let posed = Posed::new(query);
-    let generators: Vec<ExactVector> = (0..posed.len()).map(|index| posed.exact_generator(index)).collect();
-    let (count, [from, _]) = (query.rows()[0].len(), query.ends());
-    let point = point(&from, query.displacement(), witness, &generators, count);
-    let touching = is_touching(proximity).then(|| touching(&generators, count, || facet_normal(&posed)));
     Some(Contact { point, touching })
 }
 
@@ -152,7 +141,7 @@ fn facet_normal(query: &dyn KernelQuery) -> Option<ExactVector> {
     match solve(query, Goal::Gauge, &mut ()) {
         Optimum::Rounded(decided) => Some(ladder::exact_of(query, &query.exact(), &decided, &mut ()).direction),
         Optimum::Exact(exact) => Some(exact.direction),
-        Optimum::Centre | Optimum::Told(_) | Optimum::Flat(_) => None,
+        Optimum::Centre | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
     }
 }
 
@@ -161,7 +150,7 @@ mod tests {
     use super::*;
     use crate::collision::distance::FeatureKind::{Edge, Facet, Vertex};
     use crate::collision::distance::brute_force;
-    use crate::collision::distance::by_support_simplex::{proximity, proximity_posed};
+    use crate::collision::distance::by_support_simplex::proximity;
     use crate::numeric::exact_linear::rational;
     use crate::zonotope::Zonotope;
     use crate::zonotope::pose::Pose;
@@ -221,8 +210,8 @@ mod tests {
         assert_eq!(meeting(&square, &diamond), Some(([1.0, 0.25], Some([Edge, Vertex]))));
         let cube = body([0.0; 3], &CUBE);
         let turned = Pose::new([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [2.0, 0.5, 0.0]).expect("finite");
-        let query = PosedQuery::between((&cube, &Pose::IDENTITY), (&cube, &turned));
-        let contact = contact_posed(&query, &proximity_posed(&query)).expect("they touch");
+        let query = Query::of_placed(cube.at(&Pose::IDENTITY), cube.at(&turned));
+        let contact = contact(&query, &proximity(&query)).expect("they touch");
         assert_eq!(contact.point[0], 1.0);
         let kinds = contact.touching.map(|touching| touching.features.map(|feature| feature.kind));
         assert_eq!(kinds, Some([Facet, Facet]));

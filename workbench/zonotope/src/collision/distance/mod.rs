@@ -14,7 +14,7 @@
 //! | [`brute_force`] | any D | O(2^n n^D), exact rationals | the truth: every parallelotope of the body |
 //!
 //! [`Method`] names them. The default answers as a method of [`Zonotope`](crate::Zonotope) and, under poses, of
-//! [`PosedZonotope`](crate::PosedZonotope): `proximity`. How deep bodies overlap is a problem of its own,
+//! [`Placed`](crate::Placed): `proximity`. How deep bodies overlap is a problem of its own,
 //! [`penetration`].
 
 mod answer;
@@ -22,9 +22,11 @@ pub mod brute_force;
 pub mod by_support_simplex;
 mod contact;
 mod method;
+mod nearest_simplex;
 pub mod penetration;
 
 pub use answer::{Feature, FeatureKind, Gap, Proximity};
-pub use contact::{Contact, Touching, contact, contact_posed};
+pub use contact::{Contact, Touching, contact};
 pub use method::Method;
+pub use nearest_simplex::NearestSimplex;
 pub use penetration::Penetration;

@@ -1,6 +1,5 @@
 //! How near bodies are and how deep they overlap, as methods of the bodies.
 
-use crate::collision::PosedZonotope;
 use crate::collision::distance::penetration::{self, Penetration};
 use crate::collision::distance::{Proximity, by_support_simplex};
 use crate::zonotope::Zonotope;
@@ -17,11 +16,7 @@ impl<const D: usize> Zonotope<D> {
     /// they meet. In one to three dimensions; more do not compile. Expected O(n) for each of a few steps.
     pub fn proximity(&self, other: &Self) -> Proximity<D> {
         let query = Query::between(self, other);
-        match by_support_simplex::proximity(&query) {
-            Proximity::Touching(witness) => Proximity::Touching(witness.with_nearest_basis(&query)),
-            Proximity::Overlapping(witness) => Proximity::Overlapping(witness.with_nearest_basis(&query)),
-            disjoint @ Proximity::Disjoint(_) => disjoint,
-        }
+        by_support_simplex::proximity(&query).with_nearest_basis(&query)
     }
 
     /// How deep two bodies overlap: the length of the shortest translation after which they only touch, within a
@@ -29,32 +24,5 @@ impl<const D: usize> Zonotope<D> {
     /// some hundred vertices, in the plane O(n log n), elsewhere O(n^D) exact operations.
     pub fn penetration(&self, other: &Self) -> Penetration<D> {
         penetration::of_query(&Query::between(self, other))
-    }
-}
-
-impl PosedZonotope<'_> {
-    /// The Euclidean distance of two closed bodies where their poses put them, 0 where they meet; within two units in
-    /// the last place. The cost is that of [`proximity`](Self::proximity).
-    pub fn distance<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> f64 {
-        by_support_simplex::proximity_posed(&self.query(&other.into())).distance()
-    }
-
-    /// How near two closed bodies are where their poses put them, exactly for the poses as they are given. Expected
-    /// O(n) for each of a few steps.
-    pub fn proximity<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Proximity<3> {
-        let other = other.into();
-        let query = self.query(&other);
-        match by_support_simplex::proximity_posed(&query) {
-            Proximity::Touching(witness) => Proximity::Touching(witness.with_nearest_basis(&query)),
-            Proximity::Overlapping(witness) => Proximity::Overlapping(witness.with_nearest_basis(&query)),
-            disjoint @ Proximity::Disjoint(_) => disjoint,
-        }
-    }
-
-    /// How deep two bodies overlap where their poses put them, within a hundredth. O(n) for each of some ten to some
-    /// hundred vertices.
-    pub fn penetration<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Penetration<3> {
-        let other = other.into();
-        penetration::by_inner_polytope::penetration_posed(&self.query(&other))
     }
 }

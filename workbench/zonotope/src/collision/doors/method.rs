@@ -7,7 +7,7 @@ use thiserror::Error;
 #[cfg(feature = "linear-programming")]
 use crate::collision::by_linear_program;
 use crate::collision::{
-    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_gjk, by_lad, by_slope_selection,
+    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_lad, by_slope_selection,
 };
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
@@ -29,8 +29,6 @@ pub enum Method {
     /// [`by_linear_program`] with the engine [`Clarabel`].
     #[cfg(feature = "linear-programming")]
     ByLinearProgram,
-    /// [`by_gjk`], the only method whose answers may be wrong.
-    ByGjk,
     /// [`brute_force`].
     BruteForce,
 }
@@ -40,7 +38,7 @@ pub enum Method {
 pub enum Finding<const D: usize> {
     /// Where it lies, with a proof.
     Located(Location<D>),
-    /// Whether it lies in the zonotope, without a location: proved, or believed by a method that is not exact.
+    /// Whether it lies in the zonotope, proved without a location.
     Member(bool),
     /// Nothing: the method gave up.
     Undecided,
@@ -84,7 +82,6 @@ impl Method {
         Self::ByExplicitFaces,
         #[cfg(feature = "linear-programming")]
         Self::ByLinearProgram,
-        Self::ByGjk,
         Self::BruteForce,
     ];
 
@@ -102,7 +99,6 @@ impl Method {
             Self::ByExplicitFaces => "by_explicit_faces",
             #[cfg(feature = "linear-programming")]
             Self::ByLinearProgram => "by_linear_program",
-            Self::ByGjk => "by_gjk",
             Self::BruteForce => "brute_force",
         }
     }
@@ -120,7 +116,6 @@ impl Method {
             Self::ByExplicitFaces => "Explicit faces",
             #[cfg(feature = "linear-programming")]
             Self::ByLinearProgram => "Linear program with a proof",
-            Self::ByGjk => "GJK in floating point",
             Self::BruteForce => "Every facet normal in rationals",
         }
     }
@@ -133,7 +128,6 @@ impl Method {
             Self::ByExplicitFaces => "Ω(n²)",
             #[cfg(feature = "linear-programming")]
             Self::ByLinearProgram => "the engine's",
-            Self::ByGjk => "O(n) a step, few steps",
             Self::BruteForce => "O(n^D) in rationals",
         }
     }
@@ -145,14 +139,8 @@ impl Method {
             Self::BySlopeSelection | Self::ByExplicitFaces => 1..=3,
             #[cfg(feature = "linear-programming")]
             Self::ByLinearProgram => 1..=usize::MAX,
-            Self::ByGjk => 1..=7,
             Self::BruteForce => 1..=usize::MAX,
         }
-    }
-
-    /// Whether no answer of the method is ever wrong.
-    pub fn is_exact(self) -> bool {
-        self != Self::ByGjk
     }
 
     /// Whether every answer of the method is a location with its proof.
@@ -161,7 +149,6 @@ impl Method {
             Self::ByLad | Self::BySlopeSelection | Self::ByExplicitFaces | Self::BruteForce => true,
             #[cfg(feature = "linear-programming")]
             Self::ByLinearProgram => false,
-            Self::ByGjk => false,
         }
     }
 
@@ -203,18 +190,6 @@ impl Method {
                     (None, Some(is_member)) => Finding::Member(is_member),
                     (None, None) => Finding::Undecided,
                 });
-            }
-            Self::ByGjk => {
-                let believed = match D {
-                    1 => believed_in::<1, D>(question, tally),
-                    2 => believed_in::<2, D>(question, tally),
-                    3 => believed_in::<3, D>(question, tally),
-                    4 => believed_in::<4, D>(question, tally),
-                    5 => believed_in::<5, D>(question, tally),
-                    6 => believed_in::<6, D>(question, tally),
-                    _ => believed_in::<7, D>(question, tally),
-                };
-                return believed.ok_or(MethodError::Dimension { method: self, dimension: D });
             }
             Self::BruteForce => Some(brute_force::locate(question)),
         };
@@ -277,15 +252,6 @@ fn asked_in<const E: usize, const D: usize>(
     locate: impl FnOnce(&Query<'_, E>) -> Location<E>,
 ) -> Option<Location<D>> {
     question.in_dimension::<E>().map(|question| in_same_dimension(locate(&question)))
-}
-
-/// What GJK believes in dimension E, if that is the question's dimension.
-fn believed_in<const E: usize, const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) -> Option<Finding<D>> {
-    question.in_dimension::<E>().map(|question| match by_gjk::locate_counted(&question, &mut &mut *tally) {
-        by_gjk::GjkAnswer::Intersecting => Finding::Member(true),
-        by_gjk::GjkAnswer::Disjoint { .. } => Finding::Member(false),
-        by_gjk::GjkAnswer::GaveUp => Finding::Undecided,
-    })
 }
 
 /// The gauge that a method of dimension E finds, if that is the question's dimension.

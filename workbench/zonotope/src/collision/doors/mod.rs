@@ -6,15 +6,12 @@
 //! |---|---|
 //! | [`Method`] | the methods by name, with the default of each dimension |
 //! | `of_bodies` | the questions as methods of [`Zonotope`](crate::zonotope::Zonotope) |
-//! | `of_prepared_bodies` | the same in space for a [`PreparedBody`](crate::zonotope::PreparedBody) |
-//! | `of_posed_bodies` | the same in space for a body under a pose, [`PosedZonotope`] |
-//! | `distance_of_bodies` | how near bodies are and how deep they overlap, as methods of both kinds of body |
+//! | `of_placed_bodies` | the same in space for a body where it stands, [`Placed`](crate::Placed), and for a prepared one |
+//! | `distance_of_bodies` | how near bodies are and how deep they overlap, as methods of [`Zonotope`](crate::zonotope::Zonotope) |
 
 mod distance_of_bodies;
 mod method;
 mod of_bodies;
-mod of_posed_bodies;
-mod of_prepared_bodies;
+mod of_placed_bodies;
 
 pub use method::{Finding, Method, MethodError};
-pub use of_posed_bodies::PosedZonotope;

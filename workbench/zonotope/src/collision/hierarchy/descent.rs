@@ -74,26 +74,32 @@
 //! ```
 
 use super::levels::Hierarchy;
-use crate::collision::{Location, PosedQuery, Query, Separation, Status, Witness, by_lad};
+use crate::collision::{Location, Query, Separation, Status, Witness, by_lad};
 use crate::tally::{Reads, Tally};
 use crate::zonotope::PreparedBody;
+use crate::zonotope::placed::{AtRest, Standing};
 use crate::zonotope::pose::Pose;
 
 /// A body goes down beside the other one unless its excess is less than this part of the other's: about the ratio of
 /// the excesses of one level and the next.
 const SHARE_OF_EXCESS: f64 = 0.25;
 
-/// A body with its levels where a pose puts it; a reference to the levels, nothing of them copied.
+/// A body with its levels where it stands; a reference to the levels, nothing of them copied.
 #[derive(Debug, Clone, Copy)]
-pub struct PosedHierarchy<'h> {
+pub struct PlacedHierarchy<'h, P = AtRest> {
     hierarchy: &'h Hierarchy,
-    pose: Pose,
+    standing: P,
 }
 
 impl Hierarchy {
     /// The body where a pose puts it. O(1).
-    pub fn at(&self, pose: &Pose) -> PosedHierarchy<'_> {
-        PosedHierarchy { hierarchy: self, pose: *pose }
+    pub fn at(&self, pose: &Pose) -> PlacedHierarchy<'_, Pose> {
+        PlacedHierarchy { hierarchy: self, standing: *pose }
+    }
+
+    /// The body as it is stored. O(1).
+    fn placed(&self) -> PlacedHierarchy<'_> {
+        PlacedHierarchy { hierarchy: self, standing: AtRest }
     }
 
     /// How two bodies meet as they stand.
@@ -103,13 +109,13 @@ impl Hierarchy {
 
     /// [`intersection`](Self::intersection), counting its operations.
     pub fn intersection_counted<'h>(&'h self, other: &'h Self, tally: &mut dyn Tally) -> Descent<'h> {
-        Pair { bodies: [self, other], poses: None }.descend(tally)
+        self.placed().intersection_counted(&other.placed(), tally)
     }
 }
 
-impl<'h> PosedHierarchy<'h> {
-    /// How two bodies meet where their poses put them.
-    pub fn intersection<'o>(&self, other: &PosedHierarchy<'o>) -> Descent<'o>
+impl<'h, P: Standing> PlacedHierarchy<'h, P> {
+    /// How two bodies meet where they stand.
+    pub fn intersection<'o>(&self, other: &PlacedHierarchy<'o, P>) -> Descent<'o, P>
     where
         'h: 'o,
     {
@@ -117,27 +123,27 @@ impl<'h> PosedHierarchy<'h> {
     }
 
     /// [`intersection`](Self::intersection), counting its operations.
-    pub fn intersection_counted<'o>(&self, other: &PosedHierarchy<'o>, tally: &mut dyn Tally) -> Descent<'o>
+    pub fn intersection_counted<'o>(&self, other: &PlacedHierarchy<'o, P>, tally: &mut dyn Tally) -> Descent<'o, P>
     where
         'h: 'o,
     {
-        Pair { bodies: [self.hierarchy, other.hierarchy], poses: Some([self.pose, other.pose]) }.descend(tally)
+        Pair { bodies: [*self, *other] }.descend(tally)
     }
 }
 
 /// How two bodies meet, and how that was found out.
 #[derive(Debug)]
-pub struct Descent<'h> {
-    pair: Pair<'h>,
+pub struct Descent<'h, P = AtRest> {
+    pair: Pair<'h, P>,
     levels: [usize; 2],
     visited: u32,
     generators_read: u64,
-    found: Found,
+    meeting: Meeting,
 }
 
-/// What told how the bodies meet.
+/// How the bodies meet, with the proof.
 #[derive(Debug)]
-enum Found {
+enum Meeting {
     /// A direction that separates outer bodies.
     Apart(Separation<3>),
     /// Coefficients of the generators of inner bodies.
@@ -146,14 +152,14 @@ enum Found {
     Decided(Location<3>),
 }
 
-impl Descent<'_> {
+impl<P: Standing> Descent<'_, P> {
     /// Inside if the interiors have a point in common, boundary if the bodies only touch or their sum is flat, outside
     /// if they are disjoint.
     pub fn status(&self) -> Status {
-        match &self.found {
-            Found::Apart(_) => Status::Outside,
-            Found::Overlapping(_) => Status::Inside,
-            Found::Decided(location) => location.status(),
+        match &self.meeting {
+            Meeting::Apart(_) => Status::Outside,
+            Meeting::Overlapping(_) => Status::Inside,
+            Meeting::Decided(location) => location.status(),
         }
     }
 
@@ -174,63 +180,55 @@ impl Descent<'_> {
 
     /// A direction that separates the bodies, if they are disjoint. O(1).
     pub fn separation(&self) -> Option<&Separation<3>> {
-        match &self.found {
-            Found::Apart(separation) | Found::Decided(Location::Outside(separation)) => Some(separation),
-            Found::Overlapping(_) | Found::Decided(_) => None,
+        match &self.meeting {
+            Meeting::Apart(separation) | Meeting::Decided(Location::Outside(separation)) => Some(separation),
+            Meeting::Overlapping(_) | Meeting::Decided(_) => None,
         }
     }
 
     /// The witness of a common point, if the bodies meet: coefficients of the generators of the
     /// [inner bodies](Hierarchy::inner) of the levels that told it, those of the first body first. O(1).
     pub fn level_witness(&self) -> Option<&Witness> {
-        match &self.found {
-            Found::Overlapping(witness) | Found::Decided(Location::Inside(witness) | Location::Boundary(witness)) => {
-                Some(witness)
-            }
-            Found::Apart(_) | Found::Decided(Location::Outside(_)) => None,
+        match &self.meeting {
+            Meeting::Overlapping(witness)
+            | Meeting::Decided(Location::Inside(witness) | Location::Boundary(witness)) => Some(witness),
+            Meeting::Apart(_) | Meeting::Decided(Location::Outside(_)) => None,
         }
     }
 
     /// The status with a proof about the bodies themselves, as [`Zonotope`](crate::Zonotope) gives it. O(1) for
     /// disjoint bodies; else O(n), and where a coarse level told the status the kernel is asked for coefficients.
     pub fn location(&self) -> Location<3> {
-        match &self.found {
-            Found::Apart(separation) => Location::Outside(separation.clone()),
-            Found::Overlapping(_) => self.pair.proved(self.pair.located(self.pair.bodies.map(finest), &mut ())),
-            Found::Decided(location) => self.pair.proved(location.clone()),
+        match &self.meeting {
+            Meeting::Apart(separation) => Location::Outside(separation.clone()),
+            Meeting::Overlapping(_) => self.pair.proved(self.pair.located(self.pair.finest(), &mut ())),
+            Meeting::Decided(location) => self.pair.proved(location.clone()),
         }
     }
 }
 
-/// The body itself.
-fn finest(hierarchy: &Hierarchy) -> &PreparedBody {
-    hierarchy.outer(hierarchy.level_count() - 1)
-}
-
 /// Two bodies where they stand.
 #[derive(Debug, Clone, Copy)]
-struct Pair<'h> {
-    bodies: [&'h Hierarchy; 2],
-    /// None where both are as they stand.
-    poses: Option<[Pose; 2]>,
+struct Pair<'h, P> {
+    bodies: [PlacedHierarchy<'h, P>; 2],
 }
 
-impl<'h> Pair<'h> {
-    fn descend(self, tally: &mut dyn Tally) -> Descent<'h> {
+impl<'h, P: Standing> Pair<'h, P> {
+    fn descend(self, tally: &mut dyn Tally) -> Descent<'h, P> {
         let mut reads = Reads { tally, generators: 0 };
         let (mut levels, mut visited) = ([0; 2], 0);
         loop {
             visited += 1;
-            let outer = self.located([0, 1].map(|i| self.bodies[i].outer(levels[i])), &mut reads);
+            let outer = self.located([0, 1].map(|i| self.bodies[i].hierarchy.outer(levels[i])), &mut reads);
             let next = self.below(levels);
-            let found = match outer {
-                outer if next == levels => Some(Found::Decided(outer)),
-                Location::Outside(separation) => Some(Found::Apart(separation)),
+            let meeting = match outer {
+                outer if next == levels => Some(Meeting::Decided(outer)),
+                Location::Outside(separation) => Some(Meeting::Apart(separation)),
                 Location::Boundary(_) => None,
-                Location::Inside(_) => self.overlap(levels, &mut reads).map(Found::Overlapping),
+                Location::Inside(_) => self.overlap(levels, &mut reads).map(Meeting::Overlapping),
             };
-            if let Some(found) = found {
-                return Descent { pair: self, levels, visited, generators_read: reads.generators, found };
+            if let Some(meeting) = meeting {
+                return Descent { pair: self, levels, visited, generators_read: reads.generators, meeting };
             }
             levels = next;
         }
@@ -238,7 +236,7 @@ impl<'h> Pair<'h> {
 
     /// The witness of a point common to the interiors of the inner bodies, if there is one.
     fn overlap(&self, [first, second]: [usize; 2], tally: &mut dyn Tally) -> Option<Witness> {
-        let [a, b] = self.bodies;
+        let [a, b] = self.bodies.map(|body| body.hierarchy);
         match self.located([a.inner(first)?, b.inner(second)?], tally) {
             Location::Inside(witness) => Some(witness),
             Location::Boundary(_) | Location::Outside(_) => None,
@@ -247,28 +245,32 @@ impl<'h> Pair<'h> {
 
     /// The next levels; the same if both are the last.
     fn below(&self, levels: [usize; 2]) -> [usize; 2] {
-        let is_last = [0, 1].map(|i| levels[i] + 1 == self.bodies[i].level_count());
-        let excess = [0, 1].map(|i| self.bodies[i].excess(levels[i]));
+        let is_last = [0, 1].map(|i| levels[i] + 1 == self.bodies[i].hierarchy.level_count());
+        let excess = [0, 1].map(|i| self.bodies[i].hierarchy.excess(levels[i]));
         [0, 1].map(|i| {
             let goes_down = is_last[1 - i] || excess[i] >= SHARE_OF_EXCESS * excess[1 - i];
             levels[i] + usize::from(goes_down && !is_last[i])
         })
     }
 
+    /// The bodies themselves.
+    fn finest(&self) -> [&'h PreparedBody; 2] {
+        self.bodies.map(|body| body.hierarchy.outer(body.hierarchy.level_count() - 1))
+    }
+
+    /// The query about bodies in the places of the two.
+    fn query<'q>(&self, [first, second]: [&'q PreparedBody; 2]) -> Query<'q, 3, P> {
+        let [from, to] = self.bodies.map(|body| body.standing);
+        Query::of_placed(first.placed().standing_as(from), second.placed().standing_as(to))
+    }
+
     /// How bodies in the places of the two meet.
-    fn located(&self, [first, second]: [&PreparedBody; 2], tally: &mut dyn Tally) -> Location<3> {
-        match &self.poses {
-            None => by_lad::locate_counted(&Query::between_bodies(first, second), tally),
-            Some([from, to]) => by_lad::locate_posed_counted(&PosedQuery::between((first, from), (second, to)), tally),
-        }
+    fn located(&self, bodies: [&PreparedBody; 2], tally: &mut dyn Tally) -> Location<3> {
+        by_lad::locate_counted(&self.query(bodies), tally)
     }
 
     /// A location of the bodies themselves with the coefficients that a verifier takes.
     fn proved(&self, location: Location<3>) -> Location<3> {
-        let [first, second] = self.bodies.map(finest);
-        match &self.poses {
-            None => location.with_nearest_basis(&Query::between_bodies(first, second)),
-            Some([from, to]) => location.with_nearest_basis(&PosedQuery::between((first, from), (second, to))),
-        }
+        location.with_nearest_basis(&self.query(self.finest()))
     }
 }

@@ -22,5 +22,5 @@ pub mod levels;
 #[cfg(test)]
 mod tests;
 
-pub use descent::{Descent, PosedHierarchy};
+pub use descent::{Descent, PlacedHierarchy};
 pub use levels::Hierarchy;

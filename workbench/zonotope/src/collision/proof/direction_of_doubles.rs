@@ -9,9 +9,8 @@
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
 use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::exact_linear::{self, ExactVector, exact};
+use crate::numeric::exact_linear::{self, exact};
 use crate::numeric::linear::dot;
-use crate::numeric::signed_sum::signed_sum;
 
 /// Multiples of the direction that are rounded in turn: each multiple has its coordinates rounded differently.
 const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
@@ -69,12 +68,14 @@ fn separates(query: &dyn KernelQuery, w: [f64; 3]) -> bool {
 
 /// Whether w · p > h(w), where pairs of doubles tell. O(n).
 fn seems_to_separate(query: &dyn KernelQuery, w: [f64; 3]) -> Option<bool> {
-    let query = query.as_query()?;
     let w = w.map(BoundedDoubleDouble::exact);
-    let product = |v: &[f64; 3]| dot(&v.map(BoundedDoubleDouble::exact), &w);
-    let reaches = query.generators().map(|v| product(v).abs());
-    let reach = reaches.fold(BoundedDoubleDouble::exact(0.0), |sum, term| sum + term);
-    (product(&query.to()) - product(&query.from()) - reach).sign().map(|sign| sign > 0)
+    let mut reach = BoundedDoubleDouble::exact(0.0);
+    for part in query.parts() {
+        let own = part.pair_pulled(&w);
+        let product = |v: &[f64; 3]| dot(&v.map(BoundedDoubleDouble::exact), &own);
+        reach = part.rows.list().iter().fold(reach, |sum, v| sum + product(v).abs());
+    }
+    (dot(&query.displacement_pairs(), &w) - reach).sign().map(|sign| sign > 0)
 }
 
 /// Whether w · p > h(w), exactly. O(n).
@@ -82,22 +83,7 @@ fn separates_exactly(query: &dyn KernelQuery, w: [f64; 3]) -> bool {
     if !w.iter().all(|c| c.is_finite()) {
         return false;
     }
-    let (direction, p) = (exact(w), query.exact());
-    let Some(query) = query.as_query() else {
-        let sum = query.signed_sum(&DirectionSigns::new(query, &direction).all(&direction));
-        return exact_linear::dot(&exact_linear::difference(&p, &sum), &direction).sign().is_gt();
-    };
-    let signed = query.generators().map(|&v| (v, side(v, w, &direction)));
-    exact_linear::dot(&exact_linear::difference(&p, &signed_sum(signed)), &direction).sign().is_gt()
-}
-
-/// The sign of v · w.
-fn side(v: [f64; 3], w: [f64; 3], direction: &ExactVector) -> i8 {
-    let [x, y, z] = [v[0] * w[0], v[1] * w[1], v[2] * w[2]];
-    let (value, size) = (x + y + z, x.abs() + y.abs() + z.abs());
-    // five roundings and, where a product is denormal, its absolute error
-    if value.abs() > 8.0 * f64::EPSILON * size + f64::MIN_POSITIVE {
-        return if value > 0.0 { 1 } else { -1 };
-    }
-    exact_linear::dot(&exact(v), direction).sign() as i8
+    let direction = exact(w);
+    let sum = query.signed_sum(&DirectionSigns::new(query, &direction).all(&direction));
+    exact_linear::dot(&exact_linear::difference(&query.exact(), &sum), &direction).sign().is_gt()
 }

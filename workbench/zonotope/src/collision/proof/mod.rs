@@ -7,6 +7,7 @@
 //! | [`balance`] | few coefficients that absorb what all others leave of the displacement |
 //! | [`direction_of_doubles`] | doubles near the normal of a facet that separate as the normal does |
 //! | [`tightest_facet`] | the facet that bounds a gauge, found by trying every normal |
+//! | [`vectors`] | the generators in doubles, with bounds of their rounding |
 //! | [`to_doubles`] | rational coefficients, of which all but those of a basis become doubles |
 
 pub(crate) mod at_vertex;
@@ -15,3 +16,4 @@ mod direction_of_doubles;
 pub(crate) mod of_optimum;
 pub(crate) mod tightest_facet;
 pub(crate) mod to_doubles;
+pub(crate) mod vectors;

@@ -7,11 +7,10 @@
 //! |---|---|---|---|
 //! | [`by_warm_kernel`] (default) | any matrix | O(1) while the last proof holds, else few generators | a proof with its room, the sums near the optimum |
 //! | [`by_walking`] | translations | O(log² n) for each edge crossed | a facet of the sum of both bodies (Lemma 5.6) |
-//! | [`brute_force`] | any matrix | O(n³), exact numbers | nothing |
 //!
-//! A fresh query ([`PosedZonotope`](crate::collision::PosedZonotope)) is O(n) for n generators of both bodies.
+//! A fresh query ([`Placed`](crate::Placed)) is O(n) for n generators of both bodies; the truth of any frame is that of
+//! [`brute_force`](super::brute_force).
 
-pub mod brute_force;
 pub mod by_walking;
 pub mod by_warm_kernel;
 

@@ -1,5 +1,6 @@
 //! Both methods against the truth on every family.
 
+use families::drawn::numbers::integer;
 use proptest::prelude::*;
 
 use super::*;
@@ -51,10 +52,6 @@ fn signs() -> impl Strategy<Value = Vec<bool>> {
     proptest::collection::vec(any::<bool>(), 8)
 }
 
-fn lattice() -> impl Strategy<Value = f64> + Clone {
-    (-2i32..3).prop_map(f64::from)
-}
-
 proptest! {
     #![proptest_config(crate::property_cases::config(600))]
 
@@ -64,25 +61,25 @@ proptest! {
     }
 
     #[test]
-    fn lattice_bodies(g in several(lattice()), signs in signs(), p0 in [lattice(), lattice()]) {
+    fn lattice_bodies(g in several(integer(2)), signs in signs(), p0 in [integer(2), integer(2)]) {
         check_around(&g, &signs, p0)?;
     }
 
     #[test]
     fn bodies_of_all_magnitudes(
-        g in several((lattice(), prop_oneof![Just(1e-300), Just(1e300), Just(1.0)]).prop_map(|(v, s)| v * s)),
+        g in several((integer(2), prop_oneof![Just(1e-300), Just(1e300), Just(1.0)]).prop_map(|(v, s)| v * s)),
         signs in signs(),
-        p0 in [lattice(), lattice()],
+        p0 in [integer(2), integer(2)],
     ) {
         check_around(&g, &signs, p0)?;
     }
 
     #[test]
     fn bodies_in_a_vertical_plane(
-        g in proptest::collection::vec((lattice(), -1.0..1.0f64), 0..7),
-        d in [lattice(), lattice()],
+        g in proptest::collection::vec((integer(2), -1.0..1.0f64), 0..7),
+        d in [integer(2), integer(2)],
         signs in signs(),
-        t in lattice(),
+        t in integer(2),
     ) {
         let g: Vec<[f64; 3]> = g.into_iter().map(|(x, z)| [x * d[0], x * d[1], z]).collect();
         check_around(&g, &signs, d.map(|c| c * t))?;

@@ -24,6 +24,11 @@ impl<const D: usize> BestBound<D> {
         Self { lower: 0.0, multipliers: Vec::new() }
     }
 
+    /// The multipliers that prove the bound, with the places of their points.
+    pub(super) fn multipliers(&self) -> &[(usize, [f64; D])] {
+        &self.multipliers
+    }
+
     /// Divides multipliers that add up to zero by the distance of their farthest vertex and keeps them if they prove a
     /// greater bound. Returns that distance and the vertices farther than `least` from the origin.
     pub(super) fn improve(

@@ -204,6 +204,34 @@ fn a_net_around_many_corners_ends_within_its_work() {
     assert_eq!(coarse.proof.outcome, Outcome::WithinEpsilon);
 }
 
+/// The default method and the front door around a torus: the ratio 1.01 is proven, by few generators, which contain
+/// every point as the verifier checks it.
+fn torus_by_default(around: usize, across: usize, of_the_method: usize, in_the_end: usize) {
+    let points = torus(around, across);
+    let epsilon = 0.01;
+    let dense = Method::default().solve(&points, epsilon, &mut ()).expect("finite points");
+    let sparse = min_length(&points, epsilon).expect("finite points");
+    for (answer, most) in [(&dense, of_the_method), (&sparse, in_the_end)] {
+        assert_eq!(answer.proof.outcome == Outcome::WithinEpsilon, answer.ratio() <= 1.0 + epsilon);
+        assert!(answer.ratio() <= 1.01, "{}", answer.ratio());
+        assert!(answer.body.generators().len() <= most, "{} generators", answer.body.generators().len());
+    }
+    let verdict = check_min_length_all(&points, epsilon, &sparse);
+    assert!(verdict.is_right(), "{verdict:?}");
+}
+
+#[test]
+fn many_corners_take_few_generators_by_default() {
+    torus_by_default(20, 10, 250, 60);
+}
+
+#[test]
+fn two_thousand_corners_take_few_generators_by_default() {
+    if option_env!("ZONOTOPE_CASES") == Some("long") {
+        torus_by_default(64, 32, 250, 60);
+    }
+}
+
 #[test]
 fn an_answer_that_is_not_near_enough_says_so() {
     // far from the origin no centre in doubles is as good as that of the least one

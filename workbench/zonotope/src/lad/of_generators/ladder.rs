@@ -21,8 +21,7 @@
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
-//! Where a proof of the location is all that is asked ([`Goal::Proof`]), a rung that finds a vertex may end with the
-//! proof that the vertex gives by itself, and its answer is no optimum.
+//! A caller may see the vertices that a rung finds ([`AtVertex`]) and end the search there; then no optimum is the answer.
 //!
 //! Displacements of a size outside [`MODERATE_SIZES`], for which products of doubles leave their range, begin at
 //! `FlatBody`.
@@ -33,7 +32,7 @@ use super::certify::gauge_interval::DecidedOptimum;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
-use super::goal::Goal;
+use super::goal::{AtVertex, Goal};
 use super::guess::aim::Aim;
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
@@ -50,7 +49,6 @@ use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
 use super::support::separates;
-use super::told::Told;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
@@ -90,6 +88,7 @@ const STRETCH_OF_EMPTY: f64 = 8.0;
 pub(crate) fn climb(
     query: &dyn KernelQuery,
     goal: Goal,
+    at_vertex: Option<AtVertex<'_>>,
     vertex: Option<[usize; 2]>,
     tally: &mut dyn Tally,
 ) -> (Optimum, Rung) {
@@ -97,7 +96,7 @@ pub(crate) fn climb(
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
-    let problem = Problem { vertex, ..Problem::new(query, p, goal) };
+    let problem = Problem { vertex, at_vertex, ..Problem::new(query, p, goal) };
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them
@@ -254,7 +253,7 @@ impl Climb<'_, '_> {
             && let Some(classes) = ParallelClasses::of(&sample.vectors, sample.part_of(query), chart)
         {
             return match search_meetings(self.problem, classes, self.tally) {
-                Some(ClassesFound::Separated(direction)) => Ok(Optimum::Told(Told::Separated(direction))),
+                Some(ClassesFound::Separated(direction)) => Ok(Optimum::Separated(direction)),
                 Some(ClassesFound::Searched(searched)) => self.decide(searched),
                 None => Err(Rung::CorrectedSample),
             };
@@ -264,7 +263,7 @@ impl Climb<'_, '_> {
         self.guess = guess.map(|guess| (guess, 1.0));
         Err(match (guess, self.problem.goal) {
             (None, _) => Rung::CorrectedSample,
-            (Some(_), Goal::Location | Goal::Proof(_)) => Rung::SeparatingGuess,
+            (Some(_), Goal::Location) => Rung::SeparatingGuess,
             (Some(_), Goal::Gauge) => Rung::SampledCell,
         })
     }
@@ -280,7 +279,7 @@ impl Climb<'_, '_> {
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
             if separates(query, &self.problem.p, &direction) {
-                return Ok(Optimum::Told(Told::Separated(direction)));
+                return Ok(Optimum::Separated(direction));
             }
         }
         Err(Rung::SampledCell)
@@ -339,13 +338,14 @@ impl Climb<'_, '_> {
     }
 
     fn flat_body(&mut self) -> Attempt {
-        let Problem { query, goal, .. } = *self.problem;
+        let Problem { query, goal, at_vertex, .. } = *self.problem;
         // of few generators, or of sizes that are not moderate, planes tell no more than the search before
         let next = if self.sample.is_some() { Rung::CuttingPlanes } else { Rung::ExactVertex };
-        let query = query.as_query().ok_or(next)?;
+        let rows = query.in_doubles().ok_or(next)?;
+        let query = rows.query();
         let axis = spare_axis(&query, &query.exact()).ok_or(next)?;
         let prism = Prism::without(axis, &query);
-        let (optimum, _) = climb(&prism.query(), goal, None, self.tally);
+        let (optimum, _) = climb(&prism.query(), goal, at_vertex, None, self.tally);
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))
     }
 
@@ -353,20 +353,20 @@ impl Climb<'_, '_> {
     fn decide(&mut self, searched: Searched) -> Attempt {
         let (optimum, cells) = match searched {
             Searched::Doubtful { cells, vertex } => {
-                if let Some(told) = vertex.and_then(|vertex| self.told_by(vertex)) {
-                    return Ok(Optimum::Told(told));
+                if vertex.is_some_and(|vertex| self.ends_at(vertex)) {
+                    return Ok(Optimum::Ended);
                 }
                 self.known = Known { cells, vertex: vertex.map(Vertex::Likely) };
                 return Err(Rung::FlatBody);
             }
-            Searched::Told(told) => return Ok(Optimum::Told(told)),
+            Searched::Ended => return Ok(Optimum::Ended),
             Searched::Certified(optimum, cells) => (optimum, cells),
         };
         match DecidedOptimum::new(self.problem.query, optimum, cells, self.problem.goal) {
             Ok(decided) => Ok(Optimum::Rounded(decided)),
             Err((optimum, cells)) => {
-                if let Some(told) = self.told_by(optimum.basis) {
-                    return Ok(Optimum::Told(told));
+                if self.ends_at(optimum.basis) {
+                    return Ok(Optimum::Ended);
                 }
                 self.known = Known { cells, vertex: Some(Vertex::Found(optimum)) };
                 Err(Rung::ExactVertex)
@@ -374,13 +374,13 @@ impl Climb<'_, '_> {
         }
     }
 
-    /// The proof by a vertex of which doubles certify too little, if none was looked for before the certificate.
-    fn told_by(&mut self, vertex: [usize; 2]) -> Option<Told> {
-        if self.problem.goal.at_vertex().is_none() || self.problem.is_proved_first() {
-            return None;
+    /// Whether the caller ends the search at a vertex of which doubles certify too little, which was not seen before.
+    fn ends_at(&mut self, vertex: [usize; 2]) -> bool {
+        if self.problem.at_vertex.is_none() || self.problem.is_seen_first() {
+            return false;
         }
         self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-        self.problem.proof_at(vertex)
+        self.problem.ends_at(vertex)
     }
 
     fn sample(&self) -> &Sample {

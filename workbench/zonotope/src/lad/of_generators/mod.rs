@@ -25,9 +25,9 @@
 //!
 //! Beside the stages: [`seam`] has what the kernel asks of whoever holds the generators, under a pose or not;
 //! [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms
-//! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] and [`told`]
-//! what comes out; [`nearest_gauge`] has the last digits of the gauge. The kernel proves no location: a caller that
-//! wants one hands a function down ([`goal::AtVertex`]), which looks for a proof at the vertices of a search.
+//! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] what comes
+//! out; [`nearest_gauge`] has the last digits of the gauge. The kernel knows no location: a caller that wants one hands
+//! a function down ([`goal::AtVertex`]), which sees the vertices of a search and may end it.
 
 pub(crate) mod cells;
 pub(crate) mod certify;
@@ -43,26 +43,29 @@ pub(crate) mod seam;
 pub(crate) mod search;
 pub(crate) mod span;
 pub(crate) mod support;
-pub(crate) mod told;
 
-use self::goal::Goal;
+use self::goal::{AtVertex, Goal};
 use self::optimum::Optimum;
 use super::of_generators::seam::generators::KernelQuery;
-use crate::tally::Tally;
+use crate::tally::{Rung, Tally};
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).
 pub(crate) fn solve(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Optimum {
-    solve_from(query, goal, None, tally)
+    counted(ladder::climb(query, goal, None, None, tally), tally)
 }
 
-/// [`solve`], with a vertex at which a search in doubles has ended.
-pub(crate) fn solve_from(
+/// The optimum of a query whose location is all that is asked, unless the caller ends the search at a vertex; it
+/// begins at a vertex at which a search in doubles has ended, if there is one.
+pub(crate) fn search_from(
     query: &dyn KernelQuery,
-    goal: Goal,
+    at_vertex: AtVertex<'_>,
     vertex: Option<[usize; 2]>,
     tally: &mut dyn Tally,
 ) -> Optimum {
-    let (optimum, rung) = ladder::climb(query, goal, vertex, tally);
+    counted(ladder::climb(query, Goal::Location, Some(at_vertex), vertex, tally), tally)
+}
+
+fn counted((optimum, rung): (Optimum, Rung), tally: &mut dyn Tally) -> Optimum {
     tally.answered_by(rung);
     optimum
 }

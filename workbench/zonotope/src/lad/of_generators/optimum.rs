@@ -4,15 +4,16 @@
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
 use super::span::prism::Prism;
-use super::told::Told;
 
-/// The optimum of a query, or a direction that made it unnecessary.
+/// The optimum of a query, or what made it unnecessary.
 #[derive(Debug)]
 pub(crate) enum Optimum {
     /// The displacement is zero.
     Centre,
-    /// The location was all that was asked, and a proof of it was found before the optimum.
-    Told(Told),
+    /// The location was all that was asked, and a direction u with u · p > h(u) was found before the optimum.
+    Separated([f64; 3]),
+    /// The caller ended the search at a vertex.
+    Ended,
     /// An optimum that is proved in doubles.
     Rounded(DecidedOptimum),
     /// An optimum that was solved for in exact arithmetic.
@@ -35,7 +36,7 @@ impl Optimum {
     pub(crate) fn gauge(&self) -> (f64, f64) {
         match self {
             Self::Centre => (0.0, 0.0),
-            Self::Told(_) => (f64::INFINITY, f64::INFINITY),
+            Self::Separated(_) | Self::Ended => (f64::INFINITY, f64::INFINITY),
             Self::Rounded(decided) => decided.gauge(),
             Self::Exact(exact) => exact.gauge(),
             Self::Flat(flat) => flat.optimum.gauge(),
@@ -46,7 +47,7 @@ impl Optimum {
     /// an edge, perhaps those of the facet beside it. O(1).
     pub(crate) fn basis(&self) -> &[usize] {
         match self {
-            Self::Centre | Self::Told(_) => &[],
+            Self::Centre | Self::Separated(_) | Self::Ended => &[],
             Self::Rounded(decided) => &decided.optimum.basis,
             Self::Exact(exact) => &exact.basis,
             Self::Flat(flat) => flat.basis(),
@@ -56,18 +57,18 @@ impl Optimum {
     /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
     pub(crate) fn is_sharp(&self) -> bool {
         match self {
-            Self::Centre | Self::Told(_) => false,
+            Self::Centre | Self::Separated(_) | Self::Ended => false,
             Self::Rounded(decided) => decided.optimum.is_vertex(),
             Self::Exact(_) => true,
             Self::Flat(flat) => flat.optimum.is_sharp(),
         }
     }
 
-    /// Whether the displacement is in the closed body. O(1).
+    /// Whether the displacement is certainly in the closed body. O(1).
     pub(crate) fn is_member(&self) -> bool {
         match self {
-            Self::Centre | Self::Told(Told::Combined { .. } | Told::Touching { .. }) => true,
-            Self::Told(Told::Separated(_) | Told::Beyond(_)) => false,
+            Self::Centre => true,
+            Self::Separated(_) | Self::Ended => false,
             Self::Rounded(decided) => decided.order.is_le(),
             Self::Exact(exact) => exact.along <= exact.reach,
             Self::Flat(flat) => flat.optimum.is_member(),

@@ -2,14 +2,13 @@
 
 use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
-use super::goal::Goal;
+use super::goal::{AtVertex, Goal};
 use super::plane::rounded_chart::RoundedChart;
 use super::seam::generators::KernelQuery;
-use super::told::Told;
 use crate::numeric::bounded::BoundedVector;
 
-/// Of more generators than this, a vertex is certified before a location is proved from it: for a separating direction,
-/// the proof takes a pass more than the certificate.
+/// Of more generators than this, a vertex is certified before the caller sees it: to prove a separating direction takes a
+/// pass more than the certificate.
 const PROOF_LIMIT: usize = 1024;
 
 /// A query with what every stage needs of it: the rounded displacement and coordinates of the plane of directions.
@@ -19,6 +18,8 @@ pub(crate) struct Problem<'q> {
     pub(crate) p: BoundedVector,
     pub(crate) chart: RoundedChart,
     pub(crate) goal: Goal,
+    /// What is done with a vertex, if the caller wants to see those of the search.
+    pub(crate) at_vertex: Option<AtVertex<'q>>,
     /// A vertex at which a search among all generators has ended, and from which nothing was proved.
     pub(crate) vertex: Option<[usize; 2]>,
 }
@@ -26,7 +27,7 @@ pub(crate) struct Problem<'q> {
 impl<'q> Problem<'q> {
     /// The problem of a query whose displacement, here in doubles, is not zero.
     pub(crate) fn new(query: &'q dyn KernelQuery, p: BoundedVector, goal: Goal) -> Self {
-        Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal, vertex: None }
+        Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal, at_vertex: None, vertex: None }
     }
 
     /// Whether the search among all generators has ended at this vertex already.
@@ -34,15 +35,14 @@ impl<'q> Problem<'q> {
         self.vertex.is_some_and(|vertex| vertex == [first, second] || vertex == [second, first])
     }
 
-    /// Whether a location is proved from a vertex before the vertex is certified.
-    pub(crate) fn is_proved_first(&self) -> bool {
-        self.goal.at_vertex().is_some() && self.query.len() <= PROOF_LIMIT
+    /// Whether the caller sees a vertex before the vertex is certified.
+    pub(crate) fn is_seen_first(&self) -> bool {
+        self.at_vertex.is_some() && self.query.len() <= PROOF_LIMIT
     }
 
-    /// The proof of the location at the vertex of two generators, if a proof is all that is asked and the vertex gives
-    /// one. O(n).
-    pub(crate) fn proof_at(&self, pair: [usize; 2]) -> Option<Told> {
-        self.goal.at_vertex()?(&self.query.as_query()?, &self.p, pair)
+    /// Whether the caller ends the search at the vertex of two generators. O(n).
+    pub(crate) fn ends_at(&self, pair: [usize; 2]) -> bool {
+        self.at_vertex.is_some_and(|at_vertex| at_vertex(self.query, &self.p, pair).is_break())
     }
 
     /// Whether an optimum that doubles prove answers what the caller wants to know.

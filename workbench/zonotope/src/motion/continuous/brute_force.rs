@@ -14,27 +14,43 @@
 //! # Complexity
 //! O(k) for k parts, O(n) for the gap of n generators, in rationals that grow with the parts.
 //!
+//! # Shapes
+//! `parts`: as [`Motion::from_pieces`](crate::motion::Motion::from_pieces) takes them; times in [0, 1].
+//!
 //! # Numerics
 //! Everything is exact.
+//!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! If the index is not that of a part.
+//!
+//! # Checked by
+//! It is the truth of the module; a quarter turn is worked out by hand below.
+//!
+//! # Example
+//! ```
+//! use zonotope::motion::{MotionPiece, continuous::brute_force::Placement};
+//! use zonotope::numeric::Rational;
+//! // from 1 to 1 + k, a quarter turn about z
+//! let [from, to] = [[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 1.0]];
+//! let part = MotionPiece { until: 1.0, from, to, axis_point: [0.0; 3], translation: [0.0; 3] };
+//! let end = Placement::at(&[part], 0, &Rational::ONE);
+//! assert_eq!(end.of([3.0, 0.0, 5.0]).map(|c| c.to_f64().value()), [0.0, 3.0, 5.0]);
+//! ```
 
 use super::SeparatingDirection;
 use crate::motion::MotionPiece;
 use crate::numeric::Rational;
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::rational;
+use crate::numeric::linear::{cross, dot};
 use crate::zonotope::Zonotope;
 
 /// A placement x ↦ M x + v.
 pub struct Placement {
     matrix: [[Rational; 3]; 3],
     translation: [Rational; 3],
-}
-
-fn rational(value: f64) -> Rational {
-    Dyadic::from_f64(value).to_rational()
-}
-
-fn dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
-    (0..3).map(|k| &a[k] * &b[k]).fold(Rational::ZERO, |sum, term| sum + term)
 }
 
 impl Placement {
@@ -101,7 +117,7 @@ pub fn gap(bodies: [&Zonotope<3>; 2], placements: [&Placement; 2], direction: &S
         SeparatingDirection::Second(u) => placements[1].turned(*u),
         SeparatingDirection::Edges([e, f]) => {
             let (e, f) = (placements[0].turned(*e), placements[1].turned(*f));
-            [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &e[i] * &f[j] - &e[j] * &f[i])
+            cross(&e, &f)
         }
     };
     let [from, to] = [0, 1].map(|i| placements[i].of(bodies[i].center()));

@@ -13,29 +13,70 @@
 //! | fixed in the second body | R_b u | 5 + 1 |
 //! | normal to two edges | R_a e × R_b f | 5 + 5 |
 
-use super::super::arc::{Arc, displacement};
-use super::super::bernstein::{difference, elevated, multiple, product, sum};
-use super::super::quaternion::transposed_image;
-use super::super::scalar::Scalar;
-use super::SeparatingDirection;
-use crate::numeric::linear::{cross, dot};
-use crate::zonotope::Zonotope;
+use std::cell::OnceCell;
 
-/// Two bodies on a stretch of their motions.
+use super::SeparatingDirection;
+use super::body::Body;
+use super::rates::Rates;
+use crate::motion::arc::{Arc, displacement};
+use crate::motion::bernstein::{convolution, difference, elevated, multiple, sum};
+use crate::motion::quaternion::{image, transposed_image};
+use crate::motion::scalar::Scalar;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::linear::{cross, dot, sum_norm};
+
+/// A matrix by rows.
+pub(super) type Matrix<T> = [[T; 3]; 3];
+
+/// Two bodies on a stretch of their motions, with what does not depend on a direction.
+#[derive(Debug)]
 pub(super) struct Stretch<'a, T> {
-    pub(super) bodies: [&'a Zonotope<3>; 2],
+    pub(super) bodies: [Body<'a>; 2],
     pub(super) arcs: [Arc<T>; 2],
     /// A bound of how far a point of either body is from its place on the stretch, both together.
-    pub(super) margin: f64,
+    margin: f64,
+    /// |q_a|² and |q_b|².
+    pub(super) squares: [[T; 3]; 2],
+    /// Their product.
+    pub(super) square: [T; 5],
+    /// |q|² R of each body.
+    pub(super) rotations: [[Matrix<T>; 3]; 2],
+    /// The path from the first body's base to the second's, times both weights.
+    pub(super) path: [[T; 3]; 2],
+    /// |q_a|² |q_b|² R_a⁻¹ R_b, where it is asked for.
+    seen: OnceCell<[Matrix<T>; 5]>,
 }
 
 /// A polynomial of degree 5 that bounds the gap times positive polynomials: its scaled Bernstein coefficients.
 pub(super) type GapBound<T> = [T; 6];
 
-impl<T: Scalar> Stretch<'_, T> {
-    /// Whether a direction proves that the bodies are disjoint during the stretch.
-    pub(super) fn is_separated_by(&self, direction: &SeparatingDirection) -> bool {
-        self.gap_along(direction).iter().all(T::is_certainly_positive)
+impl<'a, T: Scalar> Stretch<'a, T> {
+    pub(super) fn new(bodies: [Body<'a>; 2], arcs: [Arc<T>; 2], margin: f64) -> Self {
+        let squares = arcs.each_ref().map(Arc::square);
+        Self {
+            bodies,
+            margin,
+            square: convolution(&squares[0], &squares[1]),
+            squares,
+            rotations: arcs.each_ref().map(Arc::rotations),
+            path: displacement(&arcs[0], &arcs[1]),
+            arcs,
+            seen: OnceCell::new(),
+        }
+    }
+
+    /// The rotations of the second body as the first one sees them, times both squares.
+    pub(super) fn seen(&self) -> &[Matrix<T>; 5] {
+        self.seen.get_or_init(|| self.arcs[0].rotations_seen(&self.arcs[1]))
+    }
+
+    /// How many values of support functions the bound along a direction is made of.
+    pub(super) fn support_evaluations(&self, direction: &SeparatingDirection) -> u64 {
+        match direction {
+            SeparatingDirection::Space(_) => self.arcs.iter().map(|arc| if arc.is_translation { 1 } else { 3 }).sum(),
+            SeparatingDirection::First(_) | SeparatingDirection::Second(_) => 6,
+            SeparatingDirection::Edges(_) => 10,
+        }
     }
 
     /// The bound of the gap along a direction.
@@ -43,122 +84,119 @@ impl<T: Scalar> Stretch<'_, T> {
         let vector = |v: &[f64; 3]| v.map(T::of);
         match direction {
             SeparatingDirection::Space(u) => self.gap_in_space(&vector(u)),
-            SeparatingDirection::First(u) => gap_in_frame(self.bodies, self.arcs.each_ref(), &vector(u), self.margin),
-            SeparatingDirection::Second(u) => {
-                // u in the second body's frame is −u in that of the first body of the same question asked the other way
-                let ([a, b], [p, q]) = (self.bodies, self.arcs.each_ref());
-                gap_in_frame([b, a], [q, p], &vector(&u.map(|c| -c)), self.margin)
-            }
+            SeparatingDirection::First(u) => self.gap_in_frame(0, &vector(u)),
+            // u in the second body's frame is −u in that of the first body of the same question asked the other way
+            SeparatingDirection::Second(u) => self.gap_in_frame(1, &vector(&u.map(|c| -c))),
             SeparatingDirection::Edges([e, f]) => self.gap_of_edges(&vector(e), &vector(f)),
         }
     }
 
     fn gap_in_space(&self, u: &[T; 3]) -> GapBound<T> {
         let [a, b] = &self.arcs;
-        let [toward, away] = [0, 1].map(|i| {
-            let (arc, body) = (&self.arcs[i], self.bodies[i]);
-            let pulled = directions_in(arc, u);
-            let arm = arc.arm_of(&body.center());
-            let arms = pulled.each_ref().map(|u| dot(u, &arm));
-            let reaches = multiple(&arc.weight, &reaches(body, &pulled, arc.is_translation));
-            if i == 0 { sum(&arms, &reaches) } else { difference(&arms, &reaches) }
-        });
+        let [(to_first, first), (to_second, second)] = [0, 1].map(|i| self.along(i, u));
+        let toward = sum(&to_first, &multiple(&a.weight, &first));
+        let away = difference(&to_second, &multiple(&b.weight, &second));
         let bases = difference(&multiple(&a.weight, &b.base_along(u)), &multiple(&b.weight, &a.base_along(u)));
-        let squares: [T; 5] = product(&a.square(), &b.square());
-        let apart: [T; 5] = product(&a.square(), &multiple(&a.weight, &away));
-        let apart = difference(&apart, &product(&b.square(), &multiple(&b.weight, &toward)));
-        let margin = margin_along(&squares, &[u], self.margin, [a, b]);
-        sum(&product(&squares, &bases), &elevated(&difference(&apart, &margin)))
+        let apart: [T; 5] = convolution(&self.squares[0], &multiple(&a.weight, &away));
+        let apart = difference(&apart, &convolution(&self.squares[1], &multiple(&b.weight, &toward)));
+        let apart = self.without_margin(apart, &[u]);
+        sum(&convolution(&self.square, &bases), &elevated(&apart))
+    }
+
+    /// |q|² times u · R (c + w), times the weight, and |q|² times the reach of a body along u.
+    fn along(&self, i: usize, u: &[T; 3]) -> ([T; 3], [T; 3]) {
+        let (arc, body, rotations) = (&self.arcs[i], &self.bodies[i], &self.rotations[i]);
+        let arm = arc.arm_of(&body.center());
+        if arc.is_translation {
+            let pulled = transposed_image(&rotations[0], u);
+            let [reach] = body.reaches(&[pulled.clone()]);
+            let thrice = |end: T| [end.clone(), end.plus(&end), end];
+            return (thrice(dot(&pulled, &arm)), thrice(reach));
+        }
+        let pulled = rotations.each_ref().map(|m| transposed_image(m, u));
+        (pulled.each_ref().map(|u| dot(u, &arm)), body.reaches(&pulled))
+    }
+
+    /// The gap along a direction that is fixed in one body, from that body to the other.
+    fn gap_in_frame(&self, own: usize, u: &[T; 3]) -> GapBound<T> {
+        let other = 1 - own;
+        let (a, b) = (&self.arcs[own], &self.arcs[other]);
+        let pull = if own == 0 { transposed_image } else { image };
+        let pulled = self.seen().each_ref().map(|m| pull(m, u));
+        let weight = a.weight.times(&b.weight);
+        let [reach] = self.bodies[own].reaches(&[u.clone()]);
+        let ends = weight.times(&reach).plus(&b.weight.times(&dot(u, &a.arm_of(&self.bodies[own].center()))));
+        let arm = b.arm_of(&self.bodies[other].center()).map(|c| c.times(&a.weight));
+        let arms = pulled.each_ref().map(|u| dot(u, &arm));
+        let apart = difference(&arms, &multiple(&weight, &self.bodies[other].reaches(&pulled)));
+        let apart = self.without_margin(difference(&apart, &multiple(&ends, &self.square)), &[u]);
+        let turned = self.rotations[own].each_ref().map(|m| image(m, u));
+        let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
+            let along = turned.each_ref().map(|v| v[k].clone());
+            let term = convolution(&along, &self.path.each_ref().map(|path| path[k].clone()));
+            if own == 0 { sum(&total, &term) } else { difference(&total, &term) }
+        });
+        sum(&convolution(&self.squares[other], &bases), &elevated(&apart))
     }
 
     fn gap_of_edges(&self, e: &[T; 3], f: &[T; 3]) -> GapBound<T> {
         let [a, b] = &self.arcs;
-        let [first, second] = self.bodies;
-        let seen = a.rotations_seen(b);
-        let of_first = seen.each_ref().map(|m| cross(e, &super::super::quaternion::image(m, f)));
-        let of_second = seen.each_ref().map(|m| cross(&transposed_image(m, e), f));
-        let arms = |body: &Zonotope<3>, arc: &Arc<T>, other: &Arc<T>, pulled: &[[T; 3]; 5]| -> [T; 5] {
+        let [first, second] = &self.bodies;
+        let of_first = self.seen().each_ref().map(|m| cross(e, &image(m, f)));
+        let of_second = self.seen().each_ref().map(|m| cross(&transposed_image(m, e), f));
+        let arms = |body: &Body<'_>, arc: &Arc<T>, other: &Arc<T>, pulled: &[[T; 3]; 5]| -> [T; 5] {
             let arm = arc.arm_of(&body.center()).map(|c| c.times(&other.weight));
             pulled.each_ref().map(|u| dot(u, &arm))
         };
         let weight = a.weight.times(&b.weight);
-        let reaches = sum(&reaches_of(first, &of_first), &reaches_of(second, &of_second));
+        let reaches = sum(&first.reaches(&of_first), &second.reaches(&of_second));
         let apart = difference(&arms(second, b, a, &of_second), &arms(first, a, b, &of_first));
-        let apart = difference(&apart, &multiple(&weight, &reaches));
-        let bases = displacement(a, b);
-        let [es, fs] =
-            [(a, e), (b, f)].map(|(arc, v)| arc.rotations().each_ref().map(|m| super::super::quaternion::image(m, v)));
+        let apart = self.without_margin(difference(&apart, &multiple(&weight, &reaches)), &[e, f]);
+        let [es, fs] = [(0, e), (1, f)].map(|(i, v): (usize, _)| self.rotations[i].each_ref().map(|m| image(m, v)));
         // det(R_a e, R_b f, path): over each coordinate of the cross product
         let bases: GapBound<T> = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             let along = |list: &[[T; 3]; 3], axis: usize| list.each_ref().map(|v| v[axis].clone());
             let minor: [T; 5] =
-                difference(&product(&along(&es, i), &along(&fs, j)), &product(&along(&es, j), &along(&fs, i)));
-            sum(&total, &product(&minor, &bases.each_ref().map(|path| path[k].clone())))
+                difference(&convolution(&along(&es, i), &along(&fs, j)), &convolution(&along(&es, j), &along(&fs, i)));
+            sum(&total, &convolution(&minor, &self.path.each_ref().map(|path| path[k].clone())))
         });
-        let squares: [T; 5] = product(&a.square(), &b.square());
-        let margin = margin_along(&squares, &[e, f], self.margin, [a, b]);
-        sum(&bases, &elevated(&difference(&apart, &margin)))
+        sum(&bases, &elevated(&apart))
+    }
+
+    /// The bound without the margin times the length of a direction, a product of vectors that turn.
+    fn without_margin(&self, bound: [T; 5], factors: &[&[T; 3]]) -> [T; 5] {
+        if self.margin == 0.0 {
+            return bound;
+        }
+        // the sum of the magnitudes of the coordinates is at least the length
+        let length = |v: &&[T; 3]| v.iter().fold(T::ZERO, |sum, c| sum.plus(&c.magnitude()));
+        let factor = factors.iter().map(length).fold(T::of(self.margin), |longest, length| longest.times(&length));
+        let [a, b] = &self.arcs;
+        difference(&bound, &multiple(&a.weight.times(&b.weight).times(&factor), &self.square))
     }
 }
 
-/// The gap along a direction that is fixed in the first body.
-fn gap_in_frame<T: Scalar>(
-    [first, second]: [&Zonotope<3>; 2],
-    [a, b]: [&Arc<T>; 2],
-    u: &[T; 3],
-    margin: f64,
-) -> GapBound<T> {
-    let seen = a.rotations_seen(b).each_ref().map(|m| transposed_image(m, u));
-    let weight = a.weight.times(&b.weight);
-    let squares: [T; 5] = product(&a.square(), &b.square());
-    let own = weight.times(&reach(first, u)).plus(&b.weight.times(&dot(u, &a.arm_of(&first.center()))));
-    let arm = b.arm_of(&second.center()).map(|c| c.times(&a.weight));
-    let arms = seen.each_ref().map(|u| dot(u, &arm));
-    let apart = difference(&arms, &multiple(&weight, &reaches_of(second, &seen)));
-    let apart = difference(&apart, &multiple(&own, &squares));
-    let apart = difference(&apart, &margin_along(&squares, &[u], margin, [a, b]));
-    let turned = a.rotations().each_ref().map(|m| super::super::quaternion::image(m, u));
-    let path = displacement(a, b);
-    let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
-        let along: [T; 3] = turned.each_ref().map(|v| v[k].clone());
-        sum(&total, &product(&along, &path.each_ref().map(|path| path[k].clone())))
-    });
-    sum(&product(&b.square(), &bases), &elevated(&apart))
-}
-
-/// |q|² Rᵀ u for the rotations of a stretch, as scaled Bernstein coefficients.
-pub(super) fn directions_in<T: Scalar>(arc: &Arc<T>, u: &[T; 3]) -> [[T; 3]; 3] {
-    arc.rotations().each_ref().map(|m| transposed_image(m, u))
-}
-
-/// Σ |u · g| over a body's generators.
-fn reach<T: Scalar>(body: &Zonotope<3>, u: &[T; 3]) -> T {
-    body.generators().iter().fold(T::ZERO, |sum, g| sum.plus(&dot(u, &g.map(T::of)).magnitude()))
-}
-
-/// The reaches along each of several directions.
-fn reaches_of<T: Scalar, const K: usize>(body: &Zonotope<3>, directions: &[[T; 3]; K]) -> [T; K] {
-    directions.each_ref().map(|u| reach(body, u))
-}
-
-/// The reaches along the directions of a stretch; one that only translates has multiples of one direction.
-fn reaches<T: Scalar>(body: &Zonotope<3>, directions: &[[T; 3]; 3], is_translation: bool) -> [T; 3] {
-    if is_translation {
-        let end = reach(body, &directions[0]);
-        return [end.clone(), end.plus(&end), end];
+impl Stretch<'_, Bounded> {
+    /// How fast the bodies turn and go.
+    pub(super) fn rates(&self) -> [Rates; 2] {
+        [0, 1].map(|i| Rates::of(&self.arcs[i].rounded(), &self.bodies[i]))
     }
-    reaches_of(body, directions)
-}
 
-/// The margin times the length of a direction, a product of vectors that turn, and the squares and weights of both
-/// stretches.
-fn margin_along<T: Scalar>(squares: &[T; 5], factors: &[&[T; 3]], margin: f64, [a, b]: [&Arc<T>; 2]) -> [T; 5] {
-    if margin == 0.0 {
-        return std::array::from_fn(|_| T::ZERO);
+    /// A bound below the lesser of the gaps along a direction at both ends, or a number that is not positive.
+    pub(super) fn least_end_gap(&self, direction: &SeparatingDirection) -> f64 {
+        let gap = self.gap_along(direction);
+        let weight = self.arcs[0].weight * self.arcs[1].weight;
+        let at = |gap: Bounded, square: Bounded| (gap.value - gap.error) / (square * weight).magnitude();
+        let [begin, end] = [at(gap[0], self.square[0]), at(gap[5], self.square[4])];
+        // each bound went through a difference and a quotient
+        if begin > 0.0 && end > 0.0 { begin.min(end).next_down().next_down() } else { 0.0 }
     }
-    // the sum of the magnitudes of the coordinates is at least the length
-    let length = |v: &&[T; 3]| v.iter().fold(T::ZERO, |sum, c| sum.plus(&c.magnitude()));
-    let factor = factors.iter().map(length).fold(T::of(margin), |product, length| product.times(&length));
-    multiple(&a.weight.times(&b.weight).times(&factor), squares)
+
+    /// About how large the numbers are of which the places of a body's points are made.
+    pub(super) fn size_of(&self, i: usize) -> f64 {
+        let (arc, body) = (self.arcs[i].rounded(), &self.bodies[i]);
+        let base = sum_norm(&arc.base[0]).max(sum_norm(&arc.base[1]));
+        body.magnitude() + (base + sum_norm(&arc.arm)) / arc.weight + sum_norm(&body.center())
+    }
 }

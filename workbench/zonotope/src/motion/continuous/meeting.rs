@@ -1,11 +1,11 @@
 //! The proof that two moving bodies have a common point at one time: coefficients for the bodies as they are rounded
 //! there, held to the exact placements.
 
-use super::super::arc::{Arc, displacement};
-use super::super::bernstein::multiple;
-use super::super::quaternion::{image, polar_rotation};
-use super::super::scalar::Scalar;
 use crate::collision::Witness;
+use crate::motion::arc::{Arc, displacement};
+use crate::motion::bernstein::multiple;
+use crate::motion::quaternion::{image, polar_rotation};
+use crate::motion::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot};

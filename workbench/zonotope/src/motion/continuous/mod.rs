@@ -7,18 +7,36 @@
 //! | method | what it does on a stretch of time |
 //! |---|---|
 //! | [`by_control_points`] (default) | looks for a direction along which all Bernstein coefficients of the gap are positive |
+//! | [`by_chord`] | bounds the gap along a direction by its chord and its second derivative |
+//! | [`by_conservative_advancement`] | goes on by the distance over a bound of the speed |
+//! | [`by_space_time_volumes`] | encloses the swept volumes, as the paper does |
+//! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
+//! | [`rivals`] | what is done elsewhere and proves nothing |
+//!
+//! [`Method`] names those that prove their answers. Of a scene they may find different stretches, and the same case.
 //!
 //! The paper (Section 6) encloses the volumes that both bodies sweep, and halves the step where these meet. Volumes of
 //! space forget the time; a direction for a stretch of time is a separating hyperplane of space-time.
 
+mod bisection;
+mod body;
 pub mod brute_force;
+pub mod by_chord;
+pub mod by_conservative_advancement;
 pub mod by_control_points;
+pub mod by_space_time_volumes;
 mod gap;
 mod meeting;
+mod method;
+mod ordinary_sizes;
+mod rates;
+pub mod rivals;
+mod scene;
 #[cfg(test)]
 mod tests;
 
-pub use by_control_points::first_contact;
+pub use by_control_points::{first_contact, first_contact_within};
+pub use method::Method;
 
 use crate::collision::Witness;
 

@@ -22,4 +22,4 @@ pub(crate) use vector::{
     ExactVector, difference, doubles, exact, is_zero, multiple, negated, rational, rounded_direction, sum,
 };
 
-pub(crate) use super::linear::{cross, cyclic_cross_products, determinant, dot, hyperplane_normal, sum_of_products};
+pub(crate) use super::linear::{cross, determinant, dot, hyperplane_normal, sum_of_products};

@@ -33,6 +33,12 @@ pub(crate) fn add_multiple(sum: &mut [f64], factor: f64, vector: &[f64]) {
     sum.iter_mut().zip(vector).for_each(|(s, v)| *s += factor * v);
 }
 
+/// A vector of space less a multiple of another one.
+#[inline(always)]
+pub(crate) fn less_multiple(a: [f64; 3], factor: f64, b: &[f64; 3]) -> [f64; 3] {
+    [a[0] - factor * b[0], a[1] - factor * b[1], a[2] - factor * b[2]]
+}
+
 /// a × b.
 #[inline(always)]
 pub(crate) fn cross<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {

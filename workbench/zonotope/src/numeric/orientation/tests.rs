@@ -1,4 +1,5 @@
 use dashu_ratio::RBig;
+use families::drawn::numbers::nudged;
 use proptest::prelude::*;
 
 use super::*;
@@ -58,12 +59,6 @@ fn points_of<S: Strategy<Value = f64> + Clone>(coordinate: S) -> impl Strategy<V
     prop::array::uniform4(point)
 }
 
-/// Moves a double by a few units in the last place.
-fn nudge(value: f64, steps: i64) -> f64 {
-    let moved = f64::from_bits(value.to_bits().wrapping_add_signed(steps));
-    if moved.is_finite() { moved } else { value }
-}
-
 /// Four points within a few ulps of one line, at a scale of 2^exponent.
 fn nearly_collinear() -> impl Strategy<Value = [[f64; 2]; 4]> {
     let point = (-8_i32..=8, -3_i64..=3, -3_i64..=3);
@@ -74,7 +69,7 @@ fn nearly_collinear() -> impl Strategy<Value = [[f64; 2]; 4]> {
             let scale = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
             steps.map(|(along, x_steps, y_steps)| {
                 let at = |axis: usize| (origin[axis] + f64::from(along) * direction[axis]) * scale;
-                [nudge(at(0), x_steps), nudge(at(1), y_steps)]
+                [nudged(at(0), x_steps), nudged(at(1), y_steps)]
             })
         },
     )

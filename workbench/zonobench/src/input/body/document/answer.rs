@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::input::body::names::{CENTERS, Holder, POSE};
 use crate::input::body::object::{ENVELOPE, finished, vector, vectors, zonotope};
 use crate::input::body::placed::Placed;
-use crate::input::body::{Body, body};
+use crate::input::body::zonotope::{Body, body};
 use crate::input::error::{InputError, Place, Problem};
 use batch::json::Tree;
 

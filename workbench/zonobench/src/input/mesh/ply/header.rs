@@ -1,6 +1,6 @@
 //! The header of PLY: which elements follow, and which properties they have.
 
-use super::super::{Misplaced, broken};
+use super::super::content::{Misplaced, broken};
 use crate::input::error::Place;
 
 /// The encoding of the elements.

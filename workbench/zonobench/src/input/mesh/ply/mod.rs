@@ -3,11 +3,12 @@
 mod header;
 
 use self::header::{Element, Encoding, Header, Property};
+use super::content::{Mesh, Misplaced, broken, finite, on_line, vertex_on_line};
 use super::words::{lines, words};
-use super::{Mesh, Misplaced, broken, finite, on_line, vertex_on_line};
+use crate::input::encoding;
 use crate::input::error::{Place, Problem};
+use crate::input::points::MAX_POINTS;
 use crate::input::reading::{Skipping, counted};
-use crate::input::{MAX_POINTS, encoding};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 

@@ -1,11 +1,14 @@
 //! Clipped coefficients by Newton steps on the Huber dual: coefficients for a point well within the body, or a
 //! direction that separates.
 
+use super::INSIDE_GAUGE;
 use super::combination::Combination;
 use super::huber_dual::{Among, Lengths, Moments};
-use super::passes::{EarlyQuery, Passes};
-use super::{Clear, INSIDE_GAUGE};
-use crate::numeric::bounded::{self, BoundedVector};
+use crate::collision::Witness;
+use crate::collision::answer::Proof;
+use crate::lad::of_generators::seam::generators::{Generators, KernelQuery};
+use crate::lad::of_generators::support;
+use crate::numeric::bounded::BoundedVector;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 
@@ -84,26 +87,28 @@ impl State {
     /// The proof of a point by clipped coefficients.
     pub(super) fn prove(
         mut self,
-        query: &impl EarlyQuery,
+        query: &impl KernelQuery,
         p: &BoundedVector,
         lengths: Lengths,
         among: Among<'_>,
         tally: &mut dyn Tally,
-    ) -> Option<Clear> {
-        tally.add(Operation::GeneratorRead, query.count() as u64);
+    ) -> Option<Proof> {
+        tally.add(Operation::GeneratorRead, query.len() as u64);
         let effort = Effort { steps: WHOLE_STEPS, exact: true };
-        let clear = match self.coefficients(query, lengths, &p.map(|c| c.value), among, effort) {
-            Sign::Inside(combination) => inside(query, p, &combination, tally),
-            Sign::Outside(y) => outside(query, p, y, tally),
+        let rung = Rung::ClippedCoefficients;
+        match self.coefficients(query, lengths, &p.map(|c| c.value), among, effort) {
+            Sign::Inside(combination) => {
+                inside(query, p, &combination, tally).map(|witness| Proof::inside(witness, rung))
+            }
+            Sign::Outside(y) => separates(query, p, &y, tally).then(|| Proof::outside(y, rung)),
             Sign::Neither => None,
-        };
-        clear.inspect(|_| tally.answered_by(Rung::ClippedCoefficients))
+        }
     }
 
     /// Newton steps until there are coefficients for p or a direction that separates.
     pub(super) fn coefficients(
         &mut self,
-        generators: &(impl Passes + ?Sized),
+        generators: &impl Generators,
         lengths: Lengths,
         p: &[f64; 3],
         among: Among<'_>,
@@ -139,18 +144,19 @@ impl State {
     }
 }
 
-pub(super) fn outside(query: &impl EarlyQuery, p: &BoundedVector, y: [f64; 3], tally: &mut dyn Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.count() as u64);
-    let separates = (dot(p, &bounded::exact(y)) - query.reach(&y)).is_positive();
-    separates.then_some(Clear::Outside(y))
+/// Whether a direction separates. One pass.
+pub(super) fn separates(query: &impl KernelQuery, p: &BoundedVector, y: &[f64; 3], tally: &mut dyn Tally) -> bool {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    support::separates(query, p, y)
 }
 
+/// The proof of a member by a combination. One pass.
 pub(super) fn inside(
-    query: &impl EarlyQuery,
+    query: &impl KernelQuery,
     p: &BoundedVector,
     combination: &Combination,
     tally: &mut dyn Tally,
-) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.count() as u64);
-    combination.witness(query, p).map(Clear::Inside)
+) -> Option<Witness> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    combination.witness(query, p)
 }

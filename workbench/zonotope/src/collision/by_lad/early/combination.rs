@@ -9,10 +9,10 @@ use std::ops::Range;
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::Witness;
-use crate::collision::by_lad::early::correcting_basis::correcting_basis;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
-use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes};
-use crate::lad::of_generators::seam::linear_map::LinearMap;
+use crate::collision::proof::balance::any_rest::basis_for_any;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::{Carried, Generators, KernelQuery};
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product, size};
@@ -68,20 +68,20 @@ impl Written {
     /// The proof with these coefficients, if three of them can correct what they are off by.
     pub(crate) fn witness(
         &self,
-        query: &impl EarlyQuery,
+        query: &impl KernelQuery,
         p: &BoundedVector,
         coefficients: Vec<f64>,
     ) -> Option<Witness> {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
-        let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
+        let basis = basis_for_any(query.len(), |i| query.bounded_generator(i), &coefficients, rest)?;
         Some(Witness { coefficients, basis })
     }
 }
 
 impl Carried for Written {
     #[inline]
-    fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { sum: map.image(&self.sum), magnitude: map.carried_magnitude(self.magnitude), count: self.count }
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        Self { sum: frame.image(&self.sum), magnitude: frame.carried_magnitude(self.magnitude), count: self.count }
     }
 
     #[inline]
@@ -95,7 +95,7 @@ impl Moments {
     /// of them are not.
     pub(crate) fn combination(
         &self,
-        generators: &(impl Passes + ?Sized),
+        generators: &impl Generators,
         lengths: Lengths,
         y: &[f64; 3],
         p: &[f64; 3],
@@ -116,7 +116,7 @@ impl Combination {
     /// The least coefficients that combine to p, where H z = p for all generators; `None` if, seen from some
     /// generators, they are likely to be too large, or, where they need not be `exact`, much too large.
     pub(crate) fn least(
-        generators: &(impl Passes + ?Sized),
+        generators: &impl Generators,
         z: [f64; 3],
         lengths: Lengths,
         among: Among<'_>,
@@ -149,8 +149,8 @@ impl Combination {
     }
 
     /// The proof that p is inside, if the coefficients combine to p but for a rest that three of them can balance.
-    pub(crate) fn witness(&self, query: &impl EarlyQuery, p: &BoundedVector) -> Option<Witness> {
-        let n = query.count();
+    pub(crate) fn witness(&self, query: &impl KernelQuery, p: &BoundedVector) -> Option<Witness> {
+        let n = query.len();
         let mut coefficients = if n < CLEARED_WHEN_TAKEN { Vec::with_capacity(n) } else { vec![0.0; n] };
         coefficients.resize(n, 0.0);
         let all = self.write_all(query, &Stretches::ALL, &mut coefficients);
@@ -159,7 +159,12 @@ impl Combination {
 
     /// Writes the coefficients of the rows of both runs that have their turn.
     #[inline(always)]
-    pub(crate) fn write_all(&self, query: &impl Passes, stretches: &Stretches, coefficients: &mut [f64]) -> Written {
+    pub(crate) fn write_all(
+        &self,
+        query: &impl Generators,
+        stretches: &Stretches,
+        coefficients: &mut [f64],
+    ) -> Written {
         query.over([&self.y, &self.z], |[first, second], range, [y, z]| {
             let combination = Self { y, z, ..*self };
             let (own, others) = coefficients[range].split_at_mut(first.len());

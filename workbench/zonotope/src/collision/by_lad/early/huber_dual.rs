@@ -11,8 +11,8 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::collision::by_lad::early::passes::{Carried, Passes, Runs, len};
-use crate::lad::of_generators::seam::linear_map::LinearMap;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::{Carried, Generators, Runs, count_of};
 use crate::numeric::lanes::body_sums::{add_square, sizes, squares, weighted};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
@@ -59,18 +59,18 @@ pub(crate) enum Lengths {
 impl Lengths {
     /// The length of the longest generator, if they are even; of posed bodies, that of the longest row.
     #[inline(always)]
-    pub(crate) fn of(generators: &(impl Passes + ?Sized)) -> Self {
+    pub(crate) fn of(generators: &impl Generators) -> Self {
         generators.over([], |runs, _, []| Self::of_runs(runs))
     }
 
     fn of_runs(runs: Runs<'_>) -> Self {
         let [longest, sum] = sizes(runs);
-        if longest * len(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
+        if longest * count_of(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
     /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
     #[inline(always)]
-    pub(crate) fn largest(self, among: Among<'_>, generators: &(impl Passes + ?Sized), z: &[f64; 3]) -> f64 {
+    pub(crate) fn largest(self, among: Among<'_>, generators: &impl Generators, z: &[f64; 3]) -> f64 {
         match among {
             Among::Sample(few) => self.largest_of(Rows::new(few), z),
             Among::First(count) => {
@@ -108,7 +108,7 @@ struct Largest(f64);
 
 impl Carried for Largest {
     #[inline]
-    fn carried(self, _: &LinearMap<'_>) -> Self {
+    fn carried(self, _: &Frame<'_>) -> Self {
         self
     }
 
@@ -120,7 +120,7 @@ impl Carried for Largest {
 
 impl Carried for Lengths {
     #[inline]
-    fn carried(self, _: &LinearMap<'_>) -> Self {
+    fn carried(self, _: &Frame<'_>) -> Self {
         self
     }
 
@@ -192,7 +192,7 @@ fn moments<S: Simd, const OWN: bool>(simd: S, (runs, share): (Runs<'_>, usize), 
             few.read::<OWN>(&Units::SINGLE, v, &y);
         }
     }
-    if len(runs) >= LANES {
+    if count_of(runs) >= LANES {
         for k in 0..6 {
             few.hessian[k] += total(sums.hessian[k]);
         }
@@ -212,7 +212,7 @@ fn divided([xx, xy, xz, yy, yz, zz]: [f64; 6], length: f64) -> [f64; 6] {
 impl Moments {
     /// Σ v vᵀ / |v|, and nothing else.
     #[inline(always)]
-    pub(crate) fn at_zero(generators: &(impl Passes + ?Sized), lengths: Lengths) -> Self {
+    pub(crate) fn at_zero(generators: &impl Generators, lengths: Lengths) -> Self {
         generators.over([], |runs, _, []| {
             Self::of_squares(match lengths {
                 Lengths::Own => squares::<true>(runs),
@@ -237,8 +237,8 @@ impl Moments {
 
     /// The sums over the images of rows, of sums at y = 0.
     #[inline(always)]
-    pub(crate) fn carried_at_zero(&self, map: &LinearMap<'_>) -> Self {
-        Self { hessian: map.congruent(&self.hessian), ..*self }
+    pub(crate) fn carried_at_zero(&self, frame: &Frame<'_>) -> Self {
+        Self { hessian: frame.congruent(&self.hessian), ..*self }
     }
 
     /// The trace of H.
@@ -247,9 +247,9 @@ impl Moments {
     }
 
     #[inline(always)]
-    pub(crate) fn at<G: Passes + ?Sized>(generators: &G, lengths: Lengths, y: &[f64; 3]) -> Self {
+    pub(crate) fn at<G: Generators>(generators: &G, lengths: Lengths, y: &[f64; 3]) -> Self {
         generators.over([y], |runs, _, [y]| {
-            let read = (runs, G::SHARE);
+            let read = (runs, G::share());
             match lengths {
                 Lengths::Own => dispatch!(level(), simd => moments::<_, true>(simd, read, &y, 1.0)),
                 Lengths::Even(length) => dispatch!(level(), simd => moments::<_, false>(simd, read, &y, length)),
@@ -301,8 +301,8 @@ impl Moments {
 
 impl Carried for Moments {
     #[inline]
-    fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { hessian: map.congruent(&self.hessian), sum: map.image(&self.sum), reach: self.reach }
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        Self { hessian: frame.congruent(&self.hessian), sum: frame.image(&self.sum), reach: self.reach }
     }
 
     #[inline]

@@ -6,12 +6,13 @@
 //! of it. The fourth octets make up for the error: they get coefficients by Newton steps, which are exact, and need the
 //! sums of a quarter of the generators for each. A step on all of them would cost as much as all of this.
 
-use super::clipped_steps::{Effort, Sign, State, inside, outside};
+use super::clipped_steps::{Effort, Sign, State, inside, separates};
 use super::combination::{Combination, Stretches};
 use super::huber_dual::{Among, Lengths, Moments, SAMPLE_MARGIN, WELL_WITHIN};
-use super::passes::{EarlyQuery, Quarter};
 use super::scaled_products::ScaledProducts;
-use super::{Clear, INSIDE_GAUGE, OUTSIDE_DEVIATIONS, OUTSIDE_GAUGE, locate_by_sample};
+use super::{INSIDE_GAUGE, OUTSIDE_DEVIATIONS, OUTSIDE_GAUGE, locate_by_sample};
+use crate::collision::answer::Proof;
+use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Part};
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::octet::LANES;
 use crate::tally::{Operation, Rung, Tally};
@@ -31,13 +32,13 @@ const LENGTHS: Lengths = Lengths::Even(1.0);
 
 /// Whether the sums of all generators are known, and no generator is so long that it needs a coefficient of its own.
 #[inline]
-pub(super) fn are_known(query: &impl EarlyQuery) -> bool {
+pub(super) fn are_known(query: &impl KernelQuery) -> bool {
     let is_known = query.rows().iter().all(|rows| rows.is_empty() || rows.sums().is_some());
     is_known && Lengths::of(query) != Lengths::Own
 }
 
 /// The status of p with its proof, if that is clear.
-pub(super) fn locate(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
+pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     let (y, is_thick) = Moments::at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
     if !is_thick {
         return locate_by_sample(query, p, tally);
@@ -46,20 +47,19 @@ pub(super) fn locate(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn
     tally.add(Operation::GeneratorRead, products.count() as u64);
     let gauge = products.gauge();
     if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (products.count() as f64).sqrt() {
-        return outside(query, p, y, tally).inspect(|_| tally.answered_by(Rung::SampledDirection));
+        return separates(query, p, &y, tally).then(|| Proof::outside(y, Rung::SampledDirection));
     }
     if SAMPLE_MARGIN * products.largest() <= WELL_WITHIN
-        && let Some(clear) = inside(query, p, &Combination::linear(y, LENGTHS), tally)
+        && let Some(witness) = inside(query, p, &Combination::linear(y, LENGTHS), tally)
     {
-        tally.answered_by(Rung::LeastSquares);
-        return Some(clear);
+        return Some(Proof::inside(witness, Rung::LeastSquares));
     }
     // false for NaN as well
     let is_clear = gauge < INSIDE_GAUGE;
     if !is_clear {
         return None;
     }
-    if query.count() > TWO_PARTS_LIMIT {
+    if query.len() > TWO_PARTS_LIMIT {
         return locate_by_sample(query, p, tally);
     }
     let beyond = (1.0 + 1.0 / gauge) / 2.0;
@@ -70,13 +70,13 @@ pub(super) fn locate(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn
 
 /// The proof of a member, from a y whose clipped coefficients sum up to about so many times p.
 fn locate_in_two_parts(
-    query: &impl EarlyQuery,
+    query: &impl KernelQuery,
     p: &BoundedVector,
     mut state: State,
     beyond: f64,
     tally: &mut dyn Tally,
-) -> Option<Clear> {
-    let n = query.count();
+) -> Option<Proof> {
+    let n = query.len();
     tally.add(Operation::GeneratorRead, n as u64);
     let [first, last] = [0..3 * LANES, 3 * LANES..4 * LANES].map(|range| Stretches { period: 4 * LANES, range });
     let mut coefficients = vec![0.0; n];
@@ -88,8 +88,28 @@ fn locate_in_two_parts(
     let Sign::Inside(exact) = state.coefficients(&Quarter(query), LENGTHS, &rest, AMONG, effort) else { return None };
     let written = written.with(&exact.write_all(query, &last, &mut coefficients));
     let witness = written.witness(query, p, coefficients)?;
-    tally.answered_by(Rung::StratifiedPass);
-    Some(Clear::Inside(witness))
+    Some(Proof::inside(witness, Rung::StratifiedPass))
+}
+
+/// The generators of a query of which sums read the fourth octet of each four, a quarter of all.
+#[derive(Debug)]
+struct Quarter<'a, Q>(&'a Q);
+
+impl<Q: KernelQuery> Generators for Quarter<'_, Q> {
+    #[inline(always)]
+    fn parts(&self) -> [Part<'_>; 2] {
+        self.0.parts()
+    }
+
+    #[inline(always)]
+    fn is_fixed() -> bool {
+        Q::is_fixed()
+    }
+
+    #[inline(always)]
+    fn share() -> usize {
+        4
+    }
 }
 
 #[cfg(test)]
@@ -118,10 +138,10 @@ mod tests {
                     PreparedBody::new(Zonotope::new(center, half.to_vec()).expect("finite"))
                 };
                 let [a, b] = [prepared([0.0; 3], halves.0), prepared(p, halves.1)];
-                let query = Query::between_bodies(&a, &b);
+                let query = Query::of_placed(a.placed(), b.placed());
                 assert!(are_known(&query));
-                let displacement = query.displacement_in_doubles();
-                let location = locate(&query, &displacement, &mut counts).expect("it is clear").location();
+                let displacement = query.displacement_estimate();
+                let location = locate(&query, &displacement, &mut counts).expect("it is clear").counted(&mut counts);
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
             }

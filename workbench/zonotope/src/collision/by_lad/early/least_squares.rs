@@ -7,13 +7,14 @@
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
+use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::rest;
-use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
-use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
-use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
+use crate::collision::by_lad::early::{INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
+use crate::collision::proof::balance::any_rest::{basis_for_any, pair_for_any};
 use crate::collision::{Query, Witness};
-use crate::lad::of_generators::seam::linear_map::LinearMap;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::{Carried, KernelQuery, Runs, count_of};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::body_sums::squares_at;
@@ -23,6 +24,7 @@ use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals}
 use crate::numeric::linear::dot;
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
+use crate::tally::Rung;
 
 /// The number of eights of generators from which it is seen that coefficients will be too large.
 const SAMPLE: usize = 4;
@@ -106,7 +108,7 @@ fn write<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], mut co
         }
     }
     let few = Sums { sum: few.sum, reach: few.reach, largest: few.largest };
-    if len(runs) < LANES { few } else { terms.total().joined(few) }
+    if count_of(runs) < LANES { few } else { terms.total().joined(few) }
 }
 
 #[inline(always)]
@@ -126,8 +128,8 @@ fn of_some<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], step
 
 impl Carried for Sums {
     #[inline]
-    fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { sum: map.image(&self.sum), ..self }
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        Self { sum: frame.image(&self.sum), ..self }
     }
 
     #[inline(always)]
@@ -142,8 +144,8 @@ impl Carried for Sums {
 
 impl Carried for (Sums, usize) {
     #[inline]
-    fn carried(self, map: &LinearMap<'_>) -> Self {
-        (self.0.carried(map), self.1)
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        (self.0.carried(frame), self.1)
     }
 
     #[inline]
@@ -169,8 +171,8 @@ impl Weighted {
 
 impl Carried for Weighted {
     #[inline]
-    fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { moments: self.moments.carried_at_zero(map), magnitude: map.carried_magnitude(self.magnitude) }
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        Self { moments: self.moments.carried_at_zero(frame), magnitude: frame.carried_magnitude(self.magnitude) }
     }
 
     #[inline]
@@ -179,10 +181,10 @@ impl Carried for Weighted {
     }
 }
 
-/// Tells where p is relative to a few generators, whose coefficients are in terms of their own lengths if `OWN`.
+/// Where p is relative to a few generators, with its proof, whose coefficients are in terms of their own lengths if `OWN`.
 #[inline(always)]
-pub(crate) fn tell<const OWN: bool>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
-    dispatch!(level_for(query.count()), simd => tell_at::<_, OWN>(simd, query, p))
+pub(crate) fn of_least<const OWN: bool>(query: &impl KernelQuery, p: &BoundedVector) -> Result<Proof, Open> {
+    dispatch!(level_for(query.len()), simd => of_least_at::<_, OWN>(simd, query, p))
 }
 
 /// The vector instructions for all passes of a question at once: for less than eight generators those that every
@@ -197,8 +199,8 @@ fn level_for(count: usize) -> Level {
 }
 
 #[inline(always)]
-fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
-    let n = query.count();
+fn of_least_at<S: Simd, const OWN: bool>(simd: S, query: &impl KernelQuery, p: &BoundedVector) -> Result<Proof, Open> {
+    let n = query.len();
     let Weighted { moments, magnitude } = query.over(
         [],
         #[inline(always)]
@@ -239,8 +241,9 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     );
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
-            return Ok(Clear::Inside(Witness { coefficients: coefficients.to_vec(), basis }));
+        if let Some(basis) = basis_for_any(n, |i| query.bounded_generator(i), coefficients, rest) {
+            let witness = Witness { coefficients: coefficients.to_vec(), basis };
+            return Ok(Proof::inside(witness, Rung::LeastSquares));
         }
     }
     let reach = sums.reach;
@@ -250,19 +253,19 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
         let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * (longest + UNDERFLOW)) * LONG_SUM
             + n as f64 * PRODUCT_UNDERFLOW;
         if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
-            return Ok(Clear::Outside(y));
+            return Ok(Proof::outside(y, Rung::LeastSquares));
         }
     }
     Err(Open { y, gauge: along / reach, is_thick })
 }
 
 /// The proof that p is in a flat body, by coefficients in terms of their own lengths.
-pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimplePlane) -> Result<Witness, Open> {
-    dispatch!(level_for(query.len()), simd => tell_flat_at(simd, query, p, plane))
+pub(crate) fn of_least_in_plane(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimplePlane) -> Result<Witness, Open> {
+    dispatch!(level_for(query.len()), simd => of_least_in_plane_at(simd, query, p, plane))
 }
 
 #[inline(always)]
-fn tell_flat_at<S: Simd>(
+fn of_least_in_plane_at<S: Simd>(
     simd: S,
     query: &Query<'_, 3>,
     p: &BoundedVector,
@@ -277,7 +280,7 @@ fn tell_flat_at<S: Simd>(
     if is_thick && sums.largest <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
+        if let Some(basis) = pair_for_any(query, plane, &coefficients, rest) {
             return Ok(Witness { coefficients, basis });
         }
     }
@@ -298,9 +301,9 @@ mod tests {
     fn told(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
-        let answers = [tell::<true>(&query, &p).ok(), tell::<false>(&query, &p).ok()];
+        let answers = [of_least::<true>(&query, &p).ok(), of_least::<false>(&query, &p).ok()];
         let [own, even] = answers.map(|clear| {
-            let location = clear?.location();
+            let location = clear?.location;
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             Some(location.status().name())
         });

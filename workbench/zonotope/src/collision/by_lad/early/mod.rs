@@ -6,12 +6,9 @@
 //! | [`huber_dual`] | the smooth problem whose solution gives clipped coefficients |
 //! | [`clipped_steps`] | Newton steps on the smooth problem, for a sample or for all generators |
 //! | [`combination`] | coefficients written, summed up and proved |
-//! | [`correcting_basis`] | three generators that balance what is left |
 //! | [`stratified_pass`] | many generators: coefficients in one pass, steered by a sample |
 //! | [`known_sums`] | many generators of prepared bodies: what a sample of the least coefficients tells |
 //! | [`scaled_products`] | that sample |
-//! | [`passes`] | what all of these ask of the generators: passes, and how their sums are carried over a matrix |
-//! | [`posed`] | generators under the matrices of poses |
 //!
 //! The solution y of the smooth problem for a sample either separates, which one pass over all generators proves, or
 //! steers the coefficients that are written for all. Where that fails, the sums of all generators at some y give
@@ -19,23 +16,21 @@
 
 mod clipped_steps;
 pub(crate) mod combination;
-pub(crate) mod correcting_basis;
 pub(crate) mod huber_dual;
 mod known_sums;
 pub(crate) mod least_squares;
-pub(crate) mod passes;
-pub(crate) mod posed;
 mod scaled_products;
 pub(crate) mod stratified_pass;
 
-use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
+use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, separates};
 
+use crate::collision::Location;
+use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::Combination;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments};
-use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
-use crate::collision::by_lad::early::passes::EarlyQuery;
+use crate::collision::by_lad::early::least_squares::{Open, of_least, of_least_in_plane};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
-use crate::collision::{Location, Separation, Witness};
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::bounded::{self, BoundedVector};
@@ -62,55 +57,28 @@ const INSIDE_GAUGE_OF_SMALL_BODIES: f64 = 0.6;
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
-/// A location that is told early, with its proof.
-pub(crate) enum Clear {
-    Inside(Witness),
-    /// In a flat body.
-    Flat(Witness),
-    Outside([f64; 3]),
-}
-
-impl Clear {
-    /// The answer.
-    pub(crate) fn location(self) -> Location<3> {
-        match self {
-            Self::Inside(witness) => Location::Inside(witness),
-            Self::Flat(witness) => Location::Boundary(witness),
-            Self::Outside(u) => Location::Outside(Separation::Rounded(u)),
-        }
-    }
-}
-
 /// The status of p with its proof, if that is clear.
 #[inline]
-pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut dyn Tally) -> Option<Clear> {
-    let p = query.displacement_in_doubles();
-    let n = query.count();
+pub(crate) fn locate(query: &impl KernelQuery, tally: &mut dyn Tally) -> Option<Proof> {
+    let p = query.displacement_estimate();
+    let n = query.len();
     if n > WHOLE_LIMIT {
         let locate = if known_sums::are_known(query) { known_sums::locate } else { locate_by_sample };
         return locate(query, &p, tally);
     }
     tally.add(Operation::GeneratorRead, n as u64);
-    let told = if n <= OWN_LENGTHS_LIMIT { tell::<true>(query, &p) } else { tell::<false>(query, &p) };
-    match told {
-        Ok(clear) => {
-            tally.answered_by(Rung::LeastSquares);
-            Some(clear)
-        }
-        Err(open) => locate_by_steps(query, &p, &open, tally),
-    }
+    let proof = if n <= OWN_LENGTHS_LIMIT { of_least::<true>(query, &p) } else { of_least::<false>(query, &p) };
+    proof.map_or_else(|open| locate_by_steps(query, &p, &open, tally), Some)
 }
 
 /// The same of a member of a body that seems to be flat.
-fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
-    let query = &query.as_rows()?;
+fn locate_flat(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
+    let rows = query.in_doubles()?;
+    let query = &rows.query();
     let plane = SimplePlane::of(query)?;
     tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
-    let open = match tell_flat(query, p, &plane) {
-        Ok(witness) => {
-            tally.answered_by(Rung::LeastSquaresInPlane);
-            return Some(Clear::Flat(witness));
-        }
+    let open = match of_least_in_plane(query, p, &plane) {
+        Ok(witness) => return Some(Proof::boundary(witness, Rung::LeastSquaresInPlane)),
         Err(open) => open,
     };
     if !(open.is_thick && open.gauge < INSIDE_GAUGE) {
@@ -120,15 +88,16 @@ fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally
     let prism = Prism::without(plane.axis(), query);
     let body = prism.query();
     let steps = State::new(&plane.projected(&open.y), open.gauge);
-    match steps.prove(&body, &body.displacement_in_doubles(), Lengths::Own, Among::First(WHOLE_LIMIT), tally)? {
-        Clear::Inside(witness) => Some(Clear::Flat(prism.lower_witness(witness))),
-        Clear::Flat(_) | Clear::Outside(_) => None,
+    let of_prism = steps.prove(&body, &body.displacement_estimate(), Lengths::Own, Among::First(WHOLE_LIMIT), tally)?;
+    match of_prism.location {
+        Location::Inside(witness) => Some(Proof::boundary(prism.lower_witness(witness), of_prism.rung)),
+        Location::Boundary(_) | Location::Outside(_) => None,
     }
 }
 
 /// The proof of a point inside whose least coefficients are too large.
-fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut dyn Tally) -> Option<Clear> {
-    let is_small = query.count() <= OWN_LENGTHS_LIMIT;
+fn locate_by_steps(query: &impl KernelQuery, p: &BoundedVector, open: &Open, tally: &mut dyn Tally) -> Option<Proof> {
+    let is_small = query.len() <= OWN_LENGTHS_LIMIT;
     let is_below = |limit: f64| open.gauge < limit; // false for NaN as well
     if !is_below(INSIDE_GAUGE) {
         return None;
@@ -152,15 +121,14 @@ fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tall
 }
 
 /// The same from all generators, in terms of their own lengths.
-fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.count() as u64);
+fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
     let (y, is_thick) = Moments::at_zero(query, Lengths::Own).solve(&own);
-    let reach = query.reach(&y);
+    let reach = query.support(&y);
     let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
-        tally.answered_by(Rung::LeastSquares);
-        return Some(Clear::Outside(y));
+        return Some(Proof::outside(y, Rung::LeastSquares));
     }
     // at least that of p; NaN is nowhere
     let gauge = along.value / reach.value;
@@ -169,29 +137,26 @@ fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tal
     }
     let among = Among::First(WHOLE_LIMIT);
     let least = Combination::least(query, y, Lengths::Own, among, true);
-    if let Some(clear) = least.and_then(|least| inside(query, p, &least, tally)) {
-        tally.answered_by(Rung::LeastSquares);
-        return Some(clear);
+    if let Some(witness) = least.and_then(|least| inside(query, p, &least, tally)) {
+        return Some(Proof::inside(witness, Rung::LeastSquares));
     }
     State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally)
 }
 
-fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
-    let n = query.count();
+fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
+    let n = query.len();
     let pass = StratifiedPass::of(n);
     let few = pass.last(query);
+    let sample = Rows::new(&few);
     tally.add(Operation::GeneratorRead, few.len() as u64);
     let part = few.len() as f64 / n as f64;
     let own = p.map(|c| c.value * part);
-    let lengths = Lengths::of(&few[..]);
-    let least = Moments::at_zero(&few[..], lengths);
+    let lengths = Lengths::of(&sample);
+    let least = Moments::at_zero(&sample, lengths);
     let (y, is_thick) = least.solve(&own);
-    let gauge = dot(&own, &y) / bounded_sum(Rows::new(&few), &y).value;
-    if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt()
-        && let Some(clear) = outside(query, p, y, tally)
-    {
-        tally.answered_by(Rung::SampledDirection);
-        return Some(clear);
+    let gauge = dot(&own, &y) / bounded_sum(sample, &y).value;
+    if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt() && separates(query, p, &y, tally) {
+        return Some(Proof::outside(y, Rung::SampledDirection));
     }
     if lengths == Lengths::Own {
         // the longest are not in the sample
@@ -208,22 +173,20 @@ fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn 
     let steer = |target: &[f64; 3], exact: bool| {
         if is_linear {
             let (z, _) = least.solve(target);
-            let combination = Combination::least(&few[..], z, lengths, Among::Sample(&few), exact);
+            let combination = Combination::least(&sample, z, lengths, Among::Sample(&few), exact);
             is_linear = combination.is_some();
             if is_linear {
                 return combination;
             }
         }
-        match state.coefficients(&few[..], lengths, target, Among::Sample(&few), Effort { steps: SAMPLE_STEPS, exact })
-        {
+        match state.coefficients(&sample, lengths, target, Among::Sample(&few), Effort { steps: SAMPLE_STEPS, exact }) {
             Sign::Inside(combination) => Some(combination),
             Sign::Outside(_) | Sign::Neither => None,
         }
     };
     tally.add(Operation::GeneratorRead, n as u64);
     if let Some(witness) = pass.witness(query, p, few.len(), steer) {
-        tally.answered_by(Rung::StratifiedPass);
-        return Some(Clear::Inside(witness));
+        return Some(Proof::inside(witness, Rung::StratifiedPass));
     }
     start.prove(query, p, lengths, Among::Sample(&few), tally)
 }
@@ -273,7 +236,7 @@ mod tests {
                     let query = Query::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
                     let Some(clear) = locate(&query, &mut counts) else { continue };
-                    let location = clear.location();
+                    let location = clear.location;
                     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                     assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
                     (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
@@ -292,7 +255,7 @@ mod tests {
             let p = point(&body, u, random.random_range(0.7..1.4));
             let query = Query::new([0.0; 3], p, &body).expect("finite");
             if let Some(clear) = locate(&query, &mut ()) {
-                let location = clear.location();
+                let location = clear.location;
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&query).status());
             }
@@ -314,13 +277,13 @@ mod tests {
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
             let query = Query::new([0.0; 3], p, &square).expect("finite");
-            let location = locate(&query, &mut ()).expect("it is in a simple plane").location();
+            let location = locate(&query, &mut ()).expect("it is in a simple plane").location;
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             assert_eq!(location.status().name(), "boundary");
         }
         // beside a flat body a direction separates all the same
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let query = Query::new([0.0; 3], [0.5, 0.0, 1e-3], &square).expect("finite");
-        assert!(matches!(locate(&query, &mut ()), Some(Clear::Outside(_))));
+        assert!(locate(&query, &mut ()).is_some_and(|proof| proof.direction().is_some()));
     }
 }

@@ -8,8 +8,8 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use super::passes::{Carried, EarlyQuery, Runs};
-use crate::lad::of_generators::seam::linear_map::LinearMap;
+use crate::lad::of_generators::seam::frame::Frame;
+use crate::lad::of_generators::seam::generators::{Carried, KernelQuery, Runs};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, clipped, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};
@@ -43,7 +43,7 @@ struct Sums {
 
 impl Carried for Sums {
     #[inline]
-    fn carried(self, _: &LinearMap<'_>) -> Self {
+    fn carried(self, _: &Frame<'_>) -> Self {
         self
     }
 
@@ -61,10 +61,10 @@ impl Carried for Sums {
 impl ScaledProducts {
     /// The products of a sample with y.
     #[inline]
-    pub(super) fn of(query: &impl EarlyQuery, y: &[f64; 3]) -> Self {
+    pub(super) fn of(query: &impl KernelQuery, y: &[f64; 3]) -> Self {
         let mut products = [[0.0; LANES]; 2 * SAMPLE];
         let mut places = &mut products[..];
-        let step = (query.count() / (SAMPLE * LANES)).max(1);
+        let step = (query.len() / (SAMPLE * LANES)).max(1);
         let sums = query.over([y], |runs, _, [y]| {
             let sums = dispatch!(level(), simd => read(simd, runs, &y, step, places));
             places = &mut std::mem::take(&mut places)[sums.octets..];

@@ -15,7 +15,7 @@ use std::ops::Range;
 
 use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::{Combination, Stretches, Written};
-use crate::collision::by_lad::early::passes::EarlyQuery;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// The last part has at least so many, and the square root of all more.
@@ -64,25 +64,27 @@ impl StratifiedPass {
     }
 
     /// The generators of the last part.
-    pub(crate) fn last(self, query: &impl EarlyQuery) -> Vec<[f64; 3]> {
+    pub(crate) fn last(self, query: &impl KernelQuery) -> Vec<[f64; 3]> {
         let (period, range) = self.places(self.halvings + 1);
-        query.picked((query.count() / period + 2) * self.stretch, |run, few| {
-            for period in run.chunks(period) {
-                few.extend_from_slice(&period[within(&range, period.len())]);
+        let mut few = Vec::with_capacity((query.len() / period + 2) * self.stretch);
+        for part in query.parts() {
+            for period in part.rows.list().chunks(period) {
+                part.copy(&period[within(&range, period.len())], &mut few);
             }
-        })
+        }
+        few
     }
 
     /// The proof that p is inside; `steer` gives coefficients with which the generators of the last part, `few` of
     /// them, sum up to a vector, exactly or nearly.
     pub(crate) fn witness(
         self,
-        query: &impl EarlyQuery,
+        query: &impl KernelQuery,
         p: &BoundedVector,
         few: usize,
         mut steer: impl FnMut(&[f64; 3], bool) -> Option<Combination>,
     ) -> Option<Witness> {
-        let n = query.count();
+        let n = query.len();
         let mut coefficients = vec![0.0; n];
         let mut written = Written::default();
         let mut bias = [0.0; 3];

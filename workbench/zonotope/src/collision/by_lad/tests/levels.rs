@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{FAMILIES, displacement, family};
-use crate::collision::{PosedQuery, Query, by_lad};
+use crate::collision::{Query, by_lad};
 use crate::numeric::lanes::level::{at_each_level, levels};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
@@ -53,9 +53,9 @@ fn answers_about_posed_bodies_are_the_same_at_every_level() {
         let pose = Pose::new([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]], [0.1, 0.2, 0.3]).expect("finite");
         for away in [0.0, 0.5, 1.0, 3.0] {
             let other = Pose::new(*pose.rows(), [away * n as f64, 0.0, 0.1]).expect("finite");
-            let query = PosedQuery::between((&bodies[0], &pose), (&bodies[1], &other));
-            assert_same(&format!("posed location, {n}"), || by_lad::locate_posed(&query));
-            assert_same(&format!("posed gauge, {n}"), || by_lad::gauge_posed(&query));
+            let query = Query::of_placed(bodies[0].at(&pose), bodies[1].at(&other));
+            assert_same(&format!("posed location, {n}"), || by_lad::locate(&query));
+            assert_same(&format!("posed gauge, {n}"), || by_lad::gauge(&query));
         }
     }
 }

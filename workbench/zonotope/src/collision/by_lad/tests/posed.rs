@@ -1,25 +1,23 @@
 //! Queries about posed bodies against exact arithmetic on the images of their generators.
 
-use crate::collision::by_lad::early::passes::EarlyQuery;
-use crate::collision::by_lad::early::posed::PosedRows;
-use crate::collision::by_lad::{gauge_posed, locate, locate_posed};
-use crate::collision::{Location, Query, Separation, Status};
-use crate::lad::of_generators::seam::generators::{Generators, Posed};
+use crate::collision::by_lad::locate;
+use crate::collision::{Location, Query, Separation, Status, by_lad};
+use crate::lad::of_generators::seam::generators::Generators;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero};
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::posed_query::PosedQuery;
 use proptest::prelude::*;
 
 /// The images of all generators, exactly.
-fn images(query: &PosedQuery<'_>) -> Vec<ExactVector> {
-    let [first, second] = query.runs();
-    let [from, to] = query.poses();
-    let of = |pose: Pose, rows: &[[f64; 3]]| rows.iter().map(|v| pose.exact_image(&exact(*v))).collect::<Vec<_>>();
-    [of(from, first), of(to, second)].concat()
+fn images(query: &Query<'_, 3, Pose>) -> Vec<ExactVector> {
+    let images = query.parts().iter().map(|body| {
+        let image = |v: &[f64; 3]| body.standing().exact_image(&exact(*v));
+        body.generators().iter().map(image).collect::<Vec<_>>()
+    });
+    images.flatten().collect()
 }
 
 /// h(u), exactly.
@@ -50,8 +48,8 @@ fn truth(images: &[ExactVector], p: &ExactVector) -> Option<&'static str> {
 }
 
 /// Whether the proof holds, in exact rationals.
-pub(in crate::collision) fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
-    let (images, p) = (images(query), query.displacement());
+pub(in crate::collision) fn check_proof(query: &Query<'_, 3, Pose>, location: &Location<3>) {
+    let (images, p) = (images(query), query.exact());
     match location {
         Location::Outside(separation) => {
             let u: [Rational; 3] = match separation {
@@ -63,7 +61,7 @@ pub(in crate::collision) fn check_proof(query: &PosedQuery<'_>, location: &Locat
                 let own = along(v);
                 sum + if own < Rational::ZERO { -own } else { own }
             });
-            assert!(along(p) > reach, "{u:?} does not separate");
+            assert!(along(&p) > reach, "{u:?} does not separate");
         }
         Location::Inside(witness) | Location::Boundary(witness) => {
             assert!(witness.coefficients.iter().all(|c| c.abs() <= 1.0));
@@ -76,7 +74,7 @@ pub(in crate::collision) fn check_proof(query: &PosedQuery<'_>, location: &Locat
             let solved = match witness.basis[..] {
                 [] => is_zero(&rest),
                 [a, b, c] => {
-                    let normals = cyclic_cross_products(&images[a], &images[b], &images[c]);
+                    let normals = crate::numeric::linear::cyclic_cross_products(&images[a], &images[b], &images[c]);
                     let determinant = dot(&images[a], &normals[0]).abs();
                     !determinant.is_zero() && normals.iter().all(|normal| dot(&rest, normal).abs() <= determinant)
                 }
@@ -98,11 +96,11 @@ pub(in crate::collision) fn check_proof(query: &PosedQuery<'_>, location: &Locat
     }
 }
 
-fn check(query: &PosedQuery<'_>) {
-    let (images, p) = (images(query), query.displacement());
-    let location = locate_posed(query);
-    let gauge = gauge_posed(query);
-    if let Some(status) = truth(&images, p) {
+fn check(query: &Query<'_, 3, Pose>) {
+    let (images, p) = (images(query), query.exact());
+    let location = locate(query);
+    let gauge = by_lad::gauge(query);
+    if let Some(status) = truth(&images, &p) {
         assert_eq!(location.status().name(), status);
         let scale = Dyadic::from_f64(gauge.value);
         // p is outside of a body a little smaller than gauge times this one, and inside of one a little larger
@@ -111,8 +109,8 @@ fn check(query: &PosedQuery<'_>) {
                 let factor = &scale * &Dyadic::from_f64(factor);
                 images.iter().map(|v| v.each_ref().map(|c| c * &factor)).collect::<Vec<_>>()
             };
-            assert_eq!(truth(&times(1.0 + 1e-9), p), Some("inside"));
-            assert_eq!(truth(&times(1.0 - 1e-9), p), Some("outside"));
+            assert_eq!(truth(&times(1.0 + 1e-9), &p), Some("inside"));
+            assert_eq!(truth(&times(1.0 - 1e-9), &p), Some("outside"));
         }
     }
     assert_eq!(gauge.location.status(), location.status());
@@ -150,19 +148,19 @@ proptest! {
 
     #[test]
     fn posed_bodies_meet_as_exact_arithmetic_has_it(a in body(), b in body(), from in pose(), to in pose()) {
-        check(&PosedQuery::between((&a, &from), (&b, &to)));
+        check(&Query::of_placed(a.at(&from), b.at(&to)));
     }
 
     #[test]
     fn a_point_is_where_it_is_in_a_posed_body(a in body(), from in pose(), point in vector(), share in vector()) {
-        check(&PosedQuery::of_point(point, &a, &from).expect("finite"));
+        check(&Query::of_point_in(point, a.at(&from)).expect("finite"));
         // and near the image of a combination of the generators
         let near = a.generators().iter().zip(share.iter().cycle()).fold(from.exact_point(a.center()), |sum, (v, s)| {
             let image = from.exact_image(&exact(*v));
             let factor = Dyadic::from_f64(s.clamp(-1.0, 1.0));
             [0, 1, 2].map(|k| &sum[k] + &(&factor * &image[k]))
         });
-        check(&PosedQuery::of_point(near.map(|c| c.to_f64()), &a, &from).expect("finite"));
+        check(&Query::of_point_in(near.map(|c| c.to_f64()), a.at(&from)).expect("finite"));
     }
 }
 
@@ -182,14 +180,13 @@ fn many_generators_under_rotations() {
             // from far inside, through near contact, to far outside
             let at = [0.1, 0.5, 1.0, 1.0 + 1e-9, 1.5, 4.0][i as usize % 6];
             let turned = Pose::from_axis_angle([0.0, 1.0, 0.3], 2.0 * angle, [0.0; 3]).expect("an axis");
-            let unit =
-                PosedQuery::between((&a, &from), (&b, &Pose::from_translation([1.0, 0.5, -0.3]).expect("finite")));
-            let gauge = gauge_posed(&unit).value;
+            let unit = Query::of_placed(a.at(&from), b.at(&Pose::from_translation([1.0, 0.5, -0.3]).expect("finite")));
+            let gauge = by_lad::gauge(&unit).value;
             let distance = [1.0, 0.5, -0.3].map(|c| c * at / gauge);
             let to = Pose::new(turned.matrix(), distance).expect("finite");
-            let query = PosedQuery::between((&a, &from), (&b, &to));
-            check_proof(&query, &locate_posed(&query));
-            check_proof(&query, &gauge_posed(&query).location);
+            let query = Query::of_placed(a.at(&from), b.at(&to));
+            check_proof(&query, &locate(&query));
+            check_proof(&query, &by_lad::gauge(&query).location);
         }
     }
 }
@@ -199,8 +196,8 @@ fn the_identity_answers_as_no_pose_does() {
     let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
     for at in [0.5, 2.0, 2.0 + f64::EPSILON * 2.0] {
         let other = Zonotope::new([at, 0.0, 0.0], cube.generators().to_vec()).expect("finite");
-        let posed = PosedQuery::between((&cube, &Pose::IDENTITY), (&other, &Pose::IDENTITY));
-        assert_eq!(locate_posed(&posed).status(), locate(&Query::between(&cube, &other)).status());
+        let posed = Query::of_placed(cube.at(&Pose::IDENTITY), other.at(&Pose::IDENTITY));
+        assert_eq!(locate(&posed).status(), locate(&Query::between(&cube, &other)).status());
     }
 }
 
@@ -247,10 +244,10 @@ fn exact_matrices_answer_as_images_do() {
             let from = Pose::new(matrices[0], [0.0; 3]).expect("finite");
             let [start, end] = [image(&matrices[0], &center), image(&matrices[1], &center)];
             let to = Pose::new(matrices[1], [0, 1, 2].map(|k| p[k] + start[k] - end[k])).expect("finite");
-            let posed = PosedQuery::between((&a, &from), (&b, &to));
+            let posed = Query::of_placed(a.at(&from), b.at(&to));
             let all = images.concat();
             let plain = Query::new([0.0; 3], p, &all).expect("finite");
-            let location = locate_posed(&posed);
+            let location = locate(&posed);
             assert_eq!(location.status(), locate(&plain).status(), "{n} {i}");
             check_proof(&posed, &location);
             seen[Status::ALL.iter().position(|status| *status == location.status()).expect("a status")] += 1;
@@ -289,7 +286,7 @@ fn extreme_matrices_are_answered_exactly() {
                 for factor in [0.0, 0.3, 1.0, 3.0] {
                     let t = from.exact_image(&exact([1.0, 0.25, -0.5])).map(|c| factor * size * c.to_f64());
                     let to = Pose::new(other, t.map(|c| c.clamp(f64::MIN, f64::MAX))).expect("finite");
-                    check(&PosedQuery::between((&a, &from), (&a, &to)));
+                    check(&Query::of_placed(a.at(&from), a.at(&to)));
                 }
             }
         }
@@ -301,20 +298,18 @@ proptest! {
     fn support_values_of_posed_rows_keep_their_bounds(
         a in body(), b in body(), from in pose(), to in pose(), u in vector()
     ) {
-        let query = PosedQuery::between((&a, &from), (&b, &to));
+        let query = Query::of_placed(a.at(&from), b.at(&to));
         let truth = support(&images(&query), &exact(u));
         let holds = |value: Bounded| {
             (Dyadic::from_f64(value.value) - truth.clone()).abs() <= Dyadic::from_f64(value.error)
         };
-        prop_assert!(holds(Posed::new(&query).support(&u)));
-        if let Some(rows) = PosedRows::new(&query) {
-            prop_assert!(holds(rows.reach(&u)));
+        prop_assert!(holds(query.support(&u)));
+        if query.is_moderate() {
             for (i, image) in images(&query).iter().enumerate() {
-                let (v, length) = rows.vector(i);
-                let error = Dyadic::from_f64(4.0 * crate::numeric::tolerance::UNIT * length);
-                prop_assert!((0..3).all(|k| (Dyadic::from_f64(v[k]) - image[k].clone()).abs() <= error));
-                let exact_length = image.iter().fold(Dyadic::zero(), |sum, c| sum + c.clone().abs());
-                prop_assert!(exact_length <= Dyadic::from_f64(length));
+                for (c, exact) in query.bounded_generator(i).iter().zip(image) {
+                    let off = (Dyadic::from_f64(c.value) - exact.clone()).abs();
+                    prop_assert!(off <= Dyadic::from_f64(c.error));
+                }
             }
         }
     }

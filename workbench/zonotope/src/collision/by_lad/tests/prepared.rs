@@ -5,10 +5,10 @@ use rand_pcg::Pcg64Mcg;
 
 use super::posed::check_proof;
 use super::{FAMILIES, displacement, family};
-use crate::collision::{PosedQuery, Query, by_lad};
+use crate::collision::{Query, by_lad};
 use crate::interop::verifier::check_location;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::{BodyView, PreparedBody, Zonotope};
+use crate::zonotope::{Placed, PreparedBody, Zonotope};
 
 /// The displacement, and the one that ends nearly on the boundary in the same direction.
 fn ends(body: &Zonotope<3>, to: [f64; 3]) -> Vec<[f64; 3]> {
@@ -30,7 +30,7 @@ fn points_are_located_alike() {
             let body = Zonotope::new(from, generators).expect("finite");
             let prepared = PreparedBody::new(body.clone());
             for end in ends(&body, to) {
-                let query = Query::of_point_in(end, &prepared).expect("finite");
+                let query = Query::of_point_in(end, prepared.placed()).expect("finite");
                 let location = by_lad::locate(&query);
                 let plain = by_lad::gauge(&Query::of_point(end, &body).expect("finite"));
                 let gauge = by_lad::gauge(&query);
@@ -58,17 +58,17 @@ fn two_bodies_meet_alike() {
             for end in ends(&sum, to) {
                 let second = Zonotope::new(end, second.clone()).expect("finite");
                 let prepared = [&first, &second].map(|body| PreparedBody::new(body.clone()));
-                let [a, b] = prepared.each_ref().map(BodyView::from);
+                let [a, b] = prepared.each_ref().map(PreparedBody::placed);
                 let status = by_lad::locate(&Query::between(&first, &second)).status();
                 let pose = if random.random_bool(0.5) { Pose::IDENTITY } else { turned };
-                let posed = by_lad::locate_posed(&PosedQuery::between((&first, &turned), (&second, &pose))).status();
-                for [a, b] in [[a, b], [BodyView::from(&first), b], [a, BodyView::from(&second)]] {
-                    let query = Query::between_bodies(a, b);
+                let posed = by_lad::locate(&Query::of_placed(first.at(&turned), second.at(&pose))).status();
+                for [a, b] in [[a, b], [Placed::from(&first), b], [a, Placed::from(&second)]] {
+                    let query = Query::of_placed(a, b);
                     let location = by_lad::locate(&query);
                     assert!(check_location(&query, &location).is_right(), "{name} {n} {m}");
                     assert_eq!(location.status(), status, "{name} {n} {m}");
-                    let query = PosedQuery::between((a, &turned), (b, &pose));
-                    let location = by_lad::locate_posed(&query);
+                    let query = Query::of_placed(a.at(&turned), b.at(&pose));
+                    let location = by_lad::locate(&query);
                     check_proof(&query, &location);
                     assert_eq!(location.status(), posed, "posed {name} {n} {m}");
                 }

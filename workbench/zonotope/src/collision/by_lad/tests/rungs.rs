@@ -1,7 +1,7 @@
 //! Every rung of the ladder is reached by a named family of generators: one that nothing reaches would be dead code.
 
-use crate::collision::by_lad::{gauge_counted, locate_counted, locate_posed, locate_posed_counted};
-use crate::collision::{Location, PosedQuery, Query};
+use crate::collision::by_lad::{gauge_counted, locate, locate_counted};
+use crate::collision::{Location, Query};
 use crate::numeric::linear::{cross, dot};
 use crate::tally::{OperationCounts, Rung};
 use crate::zonotope::Zonotope;
@@ -152,8 +152,8 @@ fn early_rungs_are_reached_by_posed_bodies() {
             let reach = 0.05 * n as f64 * f64::from(number as u32 % 20);
             let to = Pose::from_quaternion(turn, [reach, 0.0, 0.0]).expect("a quaternion");
             let mut counts = OperationCounts::default();
-            let query = PosedQuery::between((&a, &from), (&b, &to));
-            assert_eq!(locate_posed_counted(&query, &mut counts), locate_posed(&query));
+            let query = Query::of_placed(a.at(&from), b.at(&to));
+            assert_eq!(locate_counted(&query, &mut counts), locate(&query));
             counts.answers_of(rung) > 0
         });
         assert!(is_reached, "{rung:?}, {n} generators");

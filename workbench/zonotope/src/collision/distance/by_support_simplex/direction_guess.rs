@@ -1,10 +1,10 @@
 //! A cone of directions that probably holds the direction from the nearest point, in doubles: nothing but speed depends
 //! on it.
 //!
-//! It is the search of [`by_gjk`](crate::collision::by_gjk), which goes on until the nearest point is known: let y be
-//! the point of a simplex nearest to the displacement, seen from the displacement, and w the extreme vertex in the
-//! direction −y. The nearest point of the body is no farther from y than √(y · y − y · w), which bounds the angle
-//! between the directions to both.
+//! It is the search of Gilbert, Johnson and Keerthi, which goes on until the nearest point is known: let y be the point
+//! of a simplex nearest to the displacement, seen from the displacement, and w the extreme vertex in the direction −y.
+//! The nearest point of the body is no farther from y than √(y · y − y · w), which bounds the angle between the
+//! directions to both.
 //!
 //! Near contact the vector between the bodies is lost in the rounding of long sums, and simplices of near vertices and
 //! far ones are flat to rounding. There the vertices are summed up exactly and the simplices are exact
@@ -13,7 +13,7 @@
 use super::exact_simplex::ExactSimplex;
 use super::fixed_signs::fixed_signs;
 use super::rounded_vertices::RoundedVertices;
-use crate::collision::by_gjk::nearest::Simplex;
+use crate::collision::distance::nearest_simplex::NearestSimplex;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, difference, exact, negated, rounded_direction};
@@ -68,7 +68,7 @@ fn approach_exactly(query: &dyn KernelQuery, p: &ExactVector, start: [f64; 3], t
 
 /// The cone that simplices of extreme vertices lead to; `None` if rounding hides the direction.
 fn approach(vertices: &mut RoundedVertices<'_>, start: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
-    let mut simplex = Simplex::<3>::new();
+    let mut simplex = NearestSimplex::<3>::new();
     let mut direction = start;
     let mut last: Option<([f64; 3], f64)> = None;
     let mut known: Option<DirectionCone> = None;

@@ -72,22 +72,22 @@ mod rounded_vertices;
 mod tests;
 
 use super::Proximity;
-use crate::collision::by_lad::{locate_counted, locate_posed_counted};
+use crate::collision::by_lad::locate_counted;
 use crate::collision::{Location, Separation};
-use crate::lad::of_generators::seam::generators::Posed;
-use crate::numeric::exact_linear::exact;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
-/// How near the bodies of a query are.
-pub fn proximity<const D: usize>(query: &Query<'_, D>) -> Proximity<D> {
+/// How near the bodies of a query are, where they stand.
+pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Proximity<D> {
     proximity_counted(query, &mut ())
 }
 
 /// [`proximity`], counting its operations.
-pub fn proximity_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Proximity<D> {
+pub fn proximity_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Proximity<D> {
     const { assert!(D <= 3, "distances are known in up to three dimensions") }
     match locate_counted(query, tally) {
         Location::Inside(witness) => Proximity::Overlapping(witness),
@@ -95,15 +95,15 @@ pub fn proximity_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn T
         Location::Outside(separation) => {
             let start = padded(&direction(&separation));
             let gap = match query.in_dimension::<3>() {
-                Some(query) => in_space(&query, start, tally),
+                Some(query) => in_space(&query, &query.ends(), start, tally),
                 None => {
                     // bodies of the plane and the line are flat bodies of space
-                    let [first, second] = query.runs().map(|run| run.iter().map(padded).collect());
-                    let body = |point: &[f64; D], generators| {
-                        Zonotope::new(padded(point), generators).expect("a query is finite")
-                    };
-                    let (a, b) = (body(&query.from(), first), body(&query.to(), second));
-                    in_space(&Query::between(&a, &b), start, tally)
+                    let [first, second] = query.parts().each_ref().map(|body| {
+                        let generators = body.generators().iter().map(padded).collect();
+                        Zonotope::new(padded(&body.center()), generators).expect("a query is finite")
+                    });
+                    let query = Query::between(&first, &second);
+                    in_space(&query, &query.ends(), start, tally)
                 }
             };
             Proximity::Disjoint(Box::new(report::lowered(gap)))
@@ -111,27 +111,10 @@ pub fn proximity_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn T
     }
 }
 
-/// How near the bodies of a query under poses are.
-pub fn proximity_posed(query: &PosedQuery<'_>) -> Proximity<3> {
-    proximity_posed_counted(query, &mut ())
-}
-
-/// [`proximity_posed`], counting its operations.
-pub fn proximity_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Proximity<3> {
-    match locate_posed_counted(query, tally) {
-        Location::Inside(witness) => Proximity::Overlapping(witness),
-        Location::Boundary(witness) => Proximity::Touching(witness),
-        Location::Outside(separation) => {
-            let posed = Posed::new(query);
-            let nearest = nearest_point::find(&posed, direction(&separation), tally);
-            Proximity::Disjoint(Box::new(report::gap(&posed, &query.ends(), nearest)))
-        }
-    }
-}
-
-fn in_space(query: &Query<'_, 3>, start: [f64; 3], tally: &mut dyn Tally) -> super::Gap<3> {
+#[inline(never)]
+fn in_space(query: &dyn KernelQuery, ends: &[ExactVector; 2], start: [f64; 3], tally: &mut dyn Tally) -> super::Gap<3> {
     let nearest = nearest_point::find(query, start, tally);
-    report::gap(query, &[exact(query.from()), exact(query.to())], nearest)
+    report::gap(query, ends, nearest)
 }
 
 /// A separating direction in doubles, at least nearly.

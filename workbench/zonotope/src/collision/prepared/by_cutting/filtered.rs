@@ -1,17 +1,20 @@
-//! Vectors of which the signs of products are decided in three precisions: doubles with bounds, pairs of doubles, exact
-//! numbers, each where the one before leaves a doubt.
+//! Vectors of which the signs of products are decided in doubles with bounds, in doubles with an exponent of their own,
+//! in pairs of doubles, in exact numbers, each where the ones before leave a doubt.
 
 use std::cmp::Ordering;
 
 use crate::numeric::bounded::{self, BoundedVector};
+use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{ExactVector, exact, negated, sum};
 use crate::numeric::linear::{cross, dot};
 
-/// A vector, or a positive multiple of it, in three precisions.
+/// A vector, or a positive multiple of it, in the precisions that are tried.
 pub(crate) trait Vector {
     /// In doubles with bounds.
     fn rounded(&self) -> BoundedVector;
+    /// In doubles with bounds and an exponent of their own.
+    fn wide(&self) -> [BoundedWide; 3];
     /// In pairs of doubles with bounds.
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3];
     /// Exactly.
@@ -21,6 +24,10 @@ pub(crate) trait Vector {
 impl Vector for [f64; 3] {
     fn rounded(&self) -> BoundedVector {
         bounded::exact(*self)
+    }
+
+    fn wide(&self) -> [BoundedWide; 3] {
+        self.map(BoundedWide::exact)
     }
 
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
@@ -35,6 +42,10 @@ impl Vector for [f64; 3] {
 impl Vector for ExactVector {
     fn rounded(&self) -> BoundedVector {
         self.in_pairs().map(|c| c.rounded())
+    }
+
+    fn wide(&self) -> [BoundedWide; 3] {
+        self.each_ref().map(BoundedWide::of)
     }
 
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
@@ -68,6 +79,10 @@ impl<V: Vector> Vector for &V {
         (*self).rounded()
     }
 
+    fn wide(&self) -> [BoundedWide; 3] {
+        (*self).wide()
+    }
+
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
         (*self).in_pairs()
     }
@@ -90,6 +105,11 @@ impl<V: Vector> Vector for Shifted<'_, V> {
         [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
     }
 
+    fn wide(&self) -> [BoundedWide; 3] {
+        let (base, by) = (self.base.vector.wide(), self.by.wide());
+        [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
+    }
+
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
         let (base, by) = (self.base.vector.in_pairs(), self.by.in_pairs());
         [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
@@ -108,22 +128,25 @@ pub(crate) fn sign_of_determinant(
     c: &Filtered<impl Vector>,
 ) -> Ordering {
     let rounded = dot(&cross(&b.rounded, &c.rounded), &a.rounded).sign();
+    let wide = || dot(&cross(&b.vector.wide(), &c.vector.wide()), &a.vector.wide()).sign();
     let in_pairs = || dot(&cross(&b.vector.in_pairs(), &c.vector.in_pairs()), &a.vector.in_pairs()).sign();
     let exactly = || dot(&cross(&b.vector.exact(), &c.vector.exact()), &a.vector.exact()).sign();
-    rounded.or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
+    rounded.or_else(wide).or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
 }
 
 /// The sign of a · b.
 pub(crate) fn sign_of_product(a: &Filtered<impl Vector>, b: &Filtered<impl Vector>) -> Ordering {
     let rounded = dot(&a.rounded, &b.rounded).sign();
+    let wide = || dot(&a.vector.wide(), &b.vector.wide()).sign();
     let in_pairs = || dot(&a.vector.in_pairs(), &b.vector.in_pairs()).sign();
     let exactly = || dot(&a.vector.exact(), &b.vector.exact()).sign();
-    rounded.or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
+    rounded.or_else(wide).or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
 }
 
 /// Whether two vectors are parallel, or one of them is zero.
 pub(crate) fn are_parallel(a: &Filtered<impl Vector>, b: &Filtered<impl Vector>) -> bool {
     let is_certainly_not = cross(&a.rounded, &b.rounded).iter().any(|c| c.sign().is_some())
+        || cross(&a.vector.wide(), &b.vector.wide()).iter().any(|c| c.sign().is_some())
         || cross(&a.vector.in_pairs(), &b.vector.in_pairs()).iter().any(|c| c.sign().is_some());
     !is_certainly_not && cross(&a.vector.exact(), &b.vector.exact()).iter().all(|c| c.is_zero())
 }

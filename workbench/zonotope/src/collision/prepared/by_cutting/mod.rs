@@ -55,8 +55,9 @@
 //! `body`: n generators in any order, duplicates allowed; `space`: m, from n to n²; `point`: any point.
 //!
 //! # Numerics
-//! Every decision is exact: doubles with bounds, then pairs of doubles, then exact numbers, on exact sums. The gauge is
-//! the quotient of two exact numbers, rounded: off by little more than half a unit in the last place.
+//! Every decision is exact: doubles with bounds, then doubles with an exponent of their own, pairs of doubles and exact
+//! numbers, on exact sums. The gauge is the quotient of two exact numbers, rounded: off by little more than half a unit
+//! in the last place.
 //!
 //! # Errors
 //! [`PreparationError::TooLittleSpace`] ⇔ m < n. [`PreparationError::TooMuchSpace`] ⇔ m > n².

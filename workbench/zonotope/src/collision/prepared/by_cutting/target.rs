@@ -2,6 +2,7 @@
 
 use super::filtered::Vector;
 use crate::numeric::bounded::BoundedVector;
+use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, negated};
@@ -21,6 +22,10 @@ pub(crate) struct Target<'q> {
 impl Vector for Target<'_> {
     fn rounded(&self) -> BoundedVector {
         self.in_pairs.map(|c| c.rounded())
+    }
+
+    fn wide(&self) -> [BoundedWide; 3] {
+        self.direction.wide()
     }
 
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {

@@ -4,6 +4,7 @@
 use super::*;
 use crate::collision::{Status, brute_force, by_lad};
 use crate::interop::verifier::check_location;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, OperationCounts};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -11,7 +12,7 @@ use rand_pcg::Pcg64Mcg;
 /// What kinds of generators there are, each with some for a random vector, a vector of whole numbers and a number.
 type Kind = (&'static str, fn([f64; 3], [f64; 3], usize) -> [f64; 3]);
 
-const KINDS: [Kind; 9] = [
+const KINDS: [Kind; 10] = [
     ("random", |v, _, _| v),
     ("lattice", |_, w, _| w),
     ("flat", |v, _, _| [v[0], v[1], v[0] - 2.0 * v[1]]),
@@ -20,8 +21,20 @@ const KINDS: [Kind; 9] = [
     ("parallel", |_, w, i| [[1.0, 2.0, -1.0], [0.5, 0.0, 1.0], [3.0, -1.0, 1.0]][i % 3].map(|c| c * w[0])),
     ("on a cone", |v, _, _| [v[0], v[1], libm::sqrt(v[0] * v[0] + v[1] * v[1])]),
     ("uneven", |v, w, i| if i % 2 == 0 { v.map(|c| c * 1e-200) } else { w.map(|c| c * 1e200) }),
+    ("of all sizes", |v, w, _| [0, 1, 2].map(|k| if w[k] == 0.0 { 0.0 } else { of_any_size(v[k]) })),
     ("at the ends of the range", |_, w, i| w.map(|c| c * [1e306, 5e-324, 1.0][i % 3])),
 ];
+
+/// A number times a power of two between 2^−1000 and 2^1000 which its last digits choose, at times a denormal number or
+/// one near the largest double.
+fn of_any_size(value: f64) -> f64 {
+    let digits = value.to_bits();
+    match digits % 16 {
+        0 => f64::from_bits(digits >> 4 & 0xff_ffff),
+        1 => f64::MAX / 64.0 * value,
+        _ => scale_by_power_of_two(value, (digits >> 4) as i64 % 2001 - 1000),
+    }
+}
 
 fn body(kind: Kind, n: usize, random: &mut Pcg64Mcg) -> Zonotope<3> {
     let generators = (0..n).map(|i| {

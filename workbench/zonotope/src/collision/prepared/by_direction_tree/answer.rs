@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
+use smallvec::SmallVec;
+
 use super::DirectionTree;
-use super::clear::Told;
 use super::query::TreeQuery;
 use crate::collision::by_lad::early::combination::Written;
 use crate::collision::proof::of_optimum;
@@ -11,36 +12,40 @@ use crate::collision::{Location, Separation, Status, Witness};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::generators::Carried;
 use crate::lad::of_generators::solve;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::tolerance::NODE_BODY_STRETCH;
+use crate::zonotope::placed::{AtRest, Standing};
 
-/// Where a displacement lies relative to the body of a tree, with a proof that was not written out.
+/// Where a displacement lies relative to the bodies of one or two trees, with a proof that was not written out.
 #[derive(Debug)]
-pub struct Located<'t> {
-    pub(super) query: TreeQuery<'t>,
-    pub(super) found: Found,
+pub struct Located<'t, P = AtRest> {
+    pub(super) query: TreeQuery<'t, P>,
+    pub(super) certified: Certified,
 }
 
-/// How a location was told.
+/// The proof as it was found.
 #[derive(Debug)]
-pub(super) enum Found {
-    /// Because it is clear.
-    Told(Told),
-    /// By the facet in which the ray leaves.
+pub(super) enum Certified {
+    /// The coefficients of the nodes of the first fronts, whose sum is nearly the displacement times
+    /// [`NODE_BODY_STRETCH`].
+    Sums(Vec<f64>),
+    /// A direction that separates, or coefficients of all generators in the order of the trees.
+    Written(Location<3>),
+    /// The facet in which the ray leaves.
     Facet(Optimum),
 }
 
-/// How many times the body must be taken to hold a displacement.
+/// How many times the bodies must be taken to hold a displacement.
 #[derive(Debug)]
-pub struct Measured<'t> {
+pub struct Measured<'t, P = AtRest> {
     /// The gauge, within [`error`](Self::error).
     pub value: f64,
     /// A bound for |`value` − gauge|.
     pub error: f64,
     /// Where the displacement lies.
-    pub location: Located<'t>,
+    pub location: Located<'t, P>,
 }
 
 /// A proof that was not written out.
@@ -63,50 +68,57 @@ pub enum Certificate {
     Written(Witness),
 }
 
-impl Measured<'_> {
+impl<P: Standing> Measured<'_, P> {
     /// The gauge within four units in the last place, and a bound of its error. O(√n) nodes of a random body, or one
     /// pass where sums of nodes are not exact.
     pub fn nearest_value(&self) -> (f64, f64) {
-        match &self.location.found {
-            Found::Facet(optimum) => nearest_gauge(&self.location.query, optimum, &mut ()),
-            Found::Told(_) => (self.value, self.error),
+        match &self.location.certified {
+            Certified::Facet(optimum) => nearest_gauge(&self.location.query, optimum, &mut ()),
+            Certified::Sums(_) | Certified::Written(_) => (self.value, self.error),
         }
     }
 }
 
-impl Located<'_> {
-    /// Whether the displacement lies inside, on the boundary or outside. O(1).
+impl<P: Standing> Located<'_, P> {
+    /// Whether the displacement lies inside, on the boundary or outside. O(1), but for members of posed bodies that are
+    /// flat or nearly so.
     pub fn status(&self) -> Status {
-        let is_inner = match &self.found {
-            Found::Told(Told::Inside(_)) => true,
-            Found::Told(Told::Outside(_)) => return Status::Outside,
-            Found::Told(Told::Written(location)) => return location.status(),
-            Found::Facet(optimum) => match is_strict(optimum) {
-                Some(is_strict) => is_strict,
-                None => return Status::Outside,
-            },
+        let is_strict = match &self.certified {
+            Certified::Sums(_) => Some(true),
+            Certified::Written(location) => return location.status(),
+            Certified::Facet(optimum) => is_strict(optimum),
         };
-        if is_inner && self.query.tree.is_solid { Status::Inside } else { Status::Boundary }
+        match is_strict {
+            None => Status::Outside,
+            Some(false) => Status::Boundary,
+            Some(true) if self.query.is_solid() => Status::Inside,
+            // one tree at rest knows whether its body is flat
+            Some(true) if P::IS_FIXED => Status::Boundary,
+            Some(true) => self.expand().status(),
+        }
     }
 
-    /// Whether the displacement is in the closed body. O(1).
+    /// Whether the displacement is in the closed body, or the closed bodies meet. O(1).
     pub fn is_member(&self) -> bool {
-        self.status().is_member()
+        match &self.certified {
+            Certified::Sums(_) => true,
+            Certified::Written(location) => location.is_member(),
+            Certified::Facet(optimum) => optimum.is_member(),
+        }
     }
 
     /// The proof as it was found. O(1), but for flat bodies and those of lengths that are far apart.
     pub fn certificate(&self) -> Certificate {
-        let tree = self.query.tree;
-        match &self.found {
-            Found::Told(Told::Inside(parts)) => return Certificate::Sums(parts.clone()),
-            Found::Facet(optimum) if self.is_member() => {
+        match &self.certified {
+            Certified::Sums(parts) => return Certificate::Sums(parts.clone()),
+            Certified::Facet(optimum) if self.is_member() => {
                 let direction = match optimum {
                     Optimum::Rounded(decided) => Some(decided.optimum.direction.map(|c| c.value)),
                     Optimum::Exact(exact) => Some(rounded_direction(&exact.direction)),
                     _ => None,
                 };
                 if let Some(direction) = direction {
-                    let basis = optimum.basis().iter().map(|&place| tree.places[place] as usize).collect();
+                    let basis = in_order_of_bodies(optimum.basis(), &self.trees());
                     return Certificate::Facet { direction, basis };
                 }
             }
@@ -118,46 +130,57 @@ impl Located<'_> {
         }
     }
 
-    /// The location with the proof that the library's verifier takes: a coefficient for each generator of the body, in
-    /// its order, or a separating direction. O(n) for a member.
+    /// The location with the proof that a verifier takes as it stands: a coefficient for each generator, those of the
+    /// first body first and each in the order of its body, or a separating direction. O(n) for a member.
     pub fn expand(&self) -> Location<3> {
-        let tree = self.query.tree;
-        match &self.found {
-            Found::Told(Told::Outside(u)) => Location::Outside(Separation::Rounded(*u)),
-            Found::Told(Told::Inside(parts)) => match self.written(parts) {
-                Some(witness) => in_order_of_bodies(Location::Inside(witness), &[tree]),
-                None => self.expanded_facet(&solve(&self.query, Goal::Location, &mut ())),
+        let of_optimum = |optimum: &Optimum| of_optimum::location(&self.query, optimum, &mut ());
+        let in_order_of_trees = match &self.certified {
+            Certified::Written(location) => location.clone(),
+            Certified::Facet(optimum) => of_optimum(optimum),
+            Certified::Sums(parts) => match self.written(parts) {
+                Some(witness) => Location::Inside(witness),
+                None => of_optimum(&solve(&self.query, Goal::Location, &mut ())),
             },
-            Found::Told(Told::Written(location)) => in_order_of_bodies(location.clone(), &[tree]),
-            Found::Facet(optimum) => self.expanded_facet(optimum),
+        };
+        let trees = self.trees();
+        match in_order_of_trees.with_nearest_basis(&self.query.query) {
+            Location::Inside(witness) => Location::Inside(witness_of_bodies(&witness, &trees)),
+            Location::Boundary(witness) => Location::Boundary(witness_of_bodies(&witness, &trees)),
+            Location::Outside(separation) => Location::Outside(separation),
         }
     }
 
-    fn expanded_facet(&self, optimum: &Optimum) -> Location<3> {
-        in_order_of_bodies(of_optimum::location(&self.query, optimum, &mut ()), &[self.query.tree])
+    fn trees(&self) -> SmallVec<[&DirectionTree; 2]> {
+        self.query.trees.iter().flatten().copied().collect()
     }
 
     /// The coefficients of nodes for each generator, with three generators that make up for the rounding of sums.
     fn written(&self, parts: &[f64]) -> Option<Witness> {
-        let tree = self.query.tree;
-        let mut coefficients = vec![0.0; tree.rows.len()];
-        let mut sum = [0.0; 3];
-        let front = &tree.first_front;
-        for ((part, rows), own) in parts.iter().zip(&front.rows).zip(&front.sums) {
-            let part = part / NODE_BODY_STRETCH;
-            coefficients[rows.clone()].fill(part);
-            sum = [0, 1, 2].map(|k| sum[k] + part * own[k]);
+        let mut coefficients = vec![0.0; self.query.query.len()];
+        let (mut nodes, mut start) = (parts.iter(), 0);
+        let mut own = Vec::new();
+        for part in self.query.tree_parts() {
+            let front = &part.tree.first_front;
+            let mut sum = [0.0; 3];
+            for ((rows, node), &share) in front.rows.iter().zip(&front.sums).zip(&mut nodes) {
+                let share = share / NODE_BODY_STRETCH;
+                coefficients[start..][rows.clone()].fill(share);
+                sum = [0, 1, 2].map(|k| sum[k] + share * node[k]);
+            }
+            let written = Written { sum, magnitude: part.tree.length * 2.0, count: part.tree.rows.len() };
+            own.push(part.frame.map_or(written, |frame| written.carried(&frame)));
+            start += part.tree.rows.len();
         }
-        let written = Written { sum, magnitude: tree.length * 2.0, count: tree.rows.len() };
-        written.witness(&self.query.query, &KernelQuery::rounded_displacement(&self.query.query), coefficients)
+        let written = own.into_iter().reduce(Written::joined)?;
+        written.witness(&self.query.query, &self.query.query.rounded_displacement(), coefficients)
     }
 }
 
 /// Whether the gauge is below 1; none where it is above.
-pub(super) fn is_strict(optimum: &Optimum) -> Option<bool> {
+fn is_strict(optimum: &Optimum) -> Option<bool> {
     match optimum {
         Optimum::Centre => Some(true),
-        Optimum::Told(_) => None,
+        Optimum::Separated(_) | Optimum::Ended => None,
         Optimum::Rounded(decided) => (decided.order == Ordering::Less).then_some(true),
         Optimum::Exact(exact) => match exact.along.cmp(&exact.reach) {
             Ordering::Less => Some(true),
@@ -168,30 +191,29 @@ pub(super) fn is_strict(optimum: &Optimum) -> Option<bool> {
     }
 }
 
-/// A location with a coefficient for each row of some trees, tree by tree, for each generator of their bodies.
-pub(super) fn in_order_of_bodies(location: Location<3>, trees: &[&DirectionTree]) -> Location<3> {
-    match location {
-        Location::Inside(witness) => Location::Inside(witness_of_bodies(&witness, trees)),
-        Location::Boundary(witness) => Location::Boundary(witness_of_bodies(&witness, trees)),
-        Location::Outside(separation) => Location::Outside(separation),
-    }
-}
-
-fn witness_of_bodies(witness: &Witness, trees: &[&DirectionTree]) -> Witness {
-    let mut coefficients = vec![0.0; witness.coefficients.len()];
-    let mut basis = Vec::with_capacity(witness.basis.len());
+/// Indices of rows of some trees, tree by tree, as those of generators of their bodies, in increasing order.
+fn in_order_of_bodies(rows: &[usize], trees: &[&DirectionTree]) -> Vec<usize> {
+    let mut own: Vec<usize> = Vec::with_capacity(rows.len());
     let mut offset = 0;
     for tree in trees {
-        let own = offset..offset + tree.len();
-        for ((&c, &place), &is_turned) in
-            witness.coefficients[own.clone()].iter().zip(&tree.places).zip(&tree.is_turned)
-        {
+        let range = offset..offset + tree.len();
+        own.extend(rows.iter().filter(|b| range.contains(b)).map(|&b| offset + tree.places[b - offset] as usize));
+        offset = range.end;
+    }
+    own.sort_unstable();
+    own
+}
+
+/// A witness with a coefficient for each row of some trees, tree by tree, for each generator of their bodies.
+fn witness_of_bodies(witness: &Witness, trees: &[&DirectionTree]) -> Witness {
+    let mut coefficients = vec![0.0; witness.coefficients.len()];
+    let mut offset = 0;
+    for tree in trees {
+        let rows = witness.coefficients[offset..].iter().zip(&tree.places).zip(&tree.is_turned);
+        for ((&c, &place), &is_turned) in rows {
             coefficients[offset + place as usize] = if is_turned { -c } else { c };
         }
-        let in_tree = witness.basis.iter().filter(|b| own.contains(b));
-        basis.extend(in_tree.map(|&b| offset + tree.places[b - offset] as usize));
-        offset = own.end;
+        offset += tree.len();
     }
-    basis.sort_unstable();
-    Witness { coefficients, basis }
+    Witness { coefficients, basis: in_order_of_bodies(&witness.basis, trees) }
 }

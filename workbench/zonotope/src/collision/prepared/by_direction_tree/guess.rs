@@ -58,7 +58,7 @@ struct Reduced<'t> {
 
 /// How wide some nodes of a tree are.
 struct Widths<'t> {
-    frame: Option<&'t Frame>,
+    frame: Option<Frame<'t>>,
     of_nodes: Cow<'t, [[[f64; 3]; 2]]>,
 }
 
@@ -148,7 +148,7 @@ fn minimum(nodes: &Reduced<'_>, lines: RoundedLines, chart: &RoundedChart, point
     let linear = [x, y];
     let mut widths = Vec::with_capacity(nodes.sums.len());
     for Widths { frame, of_nodes } in &nodes.widths {
-        let u = frame.map_or(u, |frame| frame.map().pulled(&u));
+        let u = frame.map_or(u, |frame| frame.pulled(&u));
         widths.extend(of_nodes.iter().map(|node| width(node, &u)));
     }
     let lines = lines.with_widths(&widths);

@@ -22,12 +22,12 @@
 //!    circle. That makes the tree an implementor of the kernel's seam (`query`), and every stage of the kernel runs on
 //!    it.
 //! 3. A point far inside or far outside is told by a hundred nodes, the sums of which are a body within Z, and whose
-//!    slabs bound Z from outside (`clear`).
+//!    slabs bound Z from outside (`early`).
 //! 4. For other points the nodes give a cell that probably holds the optimum, level by level (`guess`); the kernel sums
 //!    up what misses it, searches the few generators that cross it, and certifies what it finds. Where the point is too
 //!    near to the boundary for doubles, sums of nodes without rounding decide (`exact_sums`).
 //! 5. A body under a pose, or two, are asked without touching a tree: cells and directions are pulled back into the
-//!    frame of the tree, sums are pushed forward (`posed`).
+//!    frame of the tree, sums are pushed forward (`placed`).
 //! 6. The answer keeps the form in which it was proved; the coefficients of all generators are written when they are
 //!    asked for (`answer`).
 //!
@@ -68,13 +68,13 @@
 //! ```
 
 mod answer;
-mod clear;
+mod early;
 mod exact_sums;
 mod guess;
 mod nodes;
 pub(in crate::collision) mod order;
 mod part;
-mod posed;
+mod placed;
 mod query;
 mod slab;
 mod support;
@@ -82,19 +82,17 @@ mod walk;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_of_placed;
 
 pub use answer::{Certificate, Located, Measured};
-pub use posed::{PosedLocated, PosedMeasured, PosedTree};
+pub use placed::PlacedTree;
 
-use self::answer::Found;
 use self::exact_sums::ExactSums;
 use self::nodes::{Face, Front, leaves};
 use self::order::Ordered;
-use self::query::TreeQuery;
 use crate::collision::proof::balance::basis::Basis;
 use crate::lad::of_generators::certify::unit_gauge_bound::unit_gauge_bound;
-use crate::lad::of_generators::goal::Goal;
-use crate::lad::of_generators::solve;
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::tolerance::{LONG_SUM, MODERATE_SIZES};
 use crate::tally::Tally;
@@ -136,7 +134,7 @@ pub struct DirectionTree {
     /// s such that the gauge of any x is at most s |x|_1; infinite where doubles do not tell.
     gauge_bound: f64,
     /// Whether rounded sums of nodes tell what is clear.
-    is_told_by_nodes: bool,
+    is_located_by_nodes: bool,
     /// Whether the generators span space.
     is_solid: bool,
 }
@@ -171,7 +169,7 @@ impl DirectionTree {
             length: weight * LONGEST_OF_WEIGHT * LONG_SUM,
             is_moderate,
             gauge_bound,
-            is_told_by_nodes: is_moderate && Self::rounding_is_little(gauge_bound, weight),
+            is_located_by_nodes: is_moderate && Self::rounding_is_little(gauge_bound, weight),
             is_solid,
         }
     }
@@ -216,12 +214,7 @@ impl DirectionTree {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'_>, NonFinite> {
-        let query = self.query_about(point)?;
-        let found = match self.told(&query, tally) {
-            Some(told) => Found::Told(told),
-            None => Found::Facet(solve(&query, Goal::Location, tally)),
-        };
-        Ok(Located { query, found })
+        self.placed().locate_counted(point, tally)
     }
 
     /// How many times the body must be taken, from its centre, to hold a point.
@@ -237,14 +230,6 @@ impl DirectionTree {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'_>, NonFinite> {
-        let query = self.query_about(point)?;
-        let optimum = solve(&query, Goal::Gauge, tally);
-        let (value, error) = optimum.gauge();
-        Ok(Measured { value, error, location: Located { query, found: Found::Facet(optimum) } })
-    }
-
-    fn query_about(&self, point: [f64; 3]) -> Result<TreeQuery<'_>, NonFinite> {
-        NonFinite::check_vector("the end", &point)?;
-        Ok(TreeQuery { tree: self, query: Query::of_finite(self.center, point, &self.rows) })
+        self.placed().gauge_counted(point, tally)
     }
 }

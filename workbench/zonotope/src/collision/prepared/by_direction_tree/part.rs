@@ -14,13 +14,13 @@ use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TreePart<'t> {
     pub(super) tree: &'t DirectionTree,
-    pub(super) frame: Option<&'t Frame>,
+    pub(super) frame: Option<Frame<'t>>,
 }
 
 impl TreePart<'_> {
     /// The image of a vector of the tree's frame.
     pub(super) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
-        self.frame.map_or(*v, |frame| frame.map().image(v))
+        self.frame.map_or(*v, |frame| frame.image(v))
     }
 
     /// The sum of the generators whose sign is fixed in a cell; the others and their places are added to lists.
@@ -57,10 +57,9 @@ impl TreePart<'_> {
     /// What a function makes of Mᵀ u in the place of Σ |v · u|, with what the rounding of Mᵀ u may take off that sum.
     pub(super) fn in_frame(&self, u: &[f64; 3], of: impl FnOnce(&[f64; 3]) -> Bounded) -> Bounded {
         let Some(frame) = self.frame else { return of(u) };
-        let map = frame.map();
-        let Bounded { value, error } = of(&map.pulled(u));
+        let Bounded { value, error } = of(&frame.pulled(u));
         // |v|_1 is at most three times the largest coordinate
-        let off = 3.0 * self.tree.weight * 4.0 * UNIT * map.pulled_size(u);
+        let off = 3.0 * self.tree.weight * 4.0 * UNIT * frame.pulled_size(u);
         Bounded { value, error: (error + off) * FIVE_ROUNDINGS }
     }
 

@@ -6,16 +6,18 @@
 
 use std::ops::Range;
 
+use smallvec::SmallVec;
+
 use super::DirectionTree;
 use super::guess::cell_near_optimum;
 use super::nodes::Face;
 use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Part};
+use crate::lad::of_generators::seam::generators::{Generators, InDoubles, KernelQuery, Part};
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::double_double::DoubleDoubleDirection;
+use crate::numeric::double_double::{BoundedDoubleDouble, DoubleDoubleDirection};
 use crate::numeric::exact_linear::{self, ExactVector, exact, rounded_direction};
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
@@ -23,16 +25,18 @@ use crate::numeric::linear::dot;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::{EXACT_DIRECTION_ROUNDING, NODE_SUM_ROUNDING};
 use crate::tally::Tally;
+use crate::zonotope::placed::{AtRest, Standing};
 use crate::zonotope::query::Query;
 
 /// Memory for so many generators is taken for those that cross a cell; few cells are crossed by more.
 pub(super) const LIKELY_CROSSING: usize = 1024;
 
-/// A displacement relative to the generators of a tree, in the order of the tree.
+/// A displacement relative to the generators of one or two trees where their bodies stand, in the order of the trees.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct TreeQuery<'t> {
-    pub(super) tree: &'t DirectionTree,
-    pub(super) query: Query<'t, 3>,
+pub(super) struct TreeQuery<'t, P = AtRest> {
+    pub(super) query: Query<'t, 3, P>,
+    /// The tree of each run; the second run may be empty.
+    pub(super) trees: [Option<&'t DirectionTree>; 2],
 }
 
 /// The rows of the leaves that a walk crosses.
@@ -90,15 +94,23 @@ impl DirectionTree {
     }
 }
 
-impl<'t> TreeQuery<'t> {
-    fn part(&self) -> TreePart<'t> {
-        TreePart { tree: self.tree, frame: None }
+impl<'t, P: Standing> TreeQuery<'t, P> {
+    /// The trees with their matrices.
+    pub(super) fn tree_parts(&self) -> SmallVec<[TreePart<'_>; 2]> {
+        let parts = self.trees.iter().zip(Generators::parts(&self.query));
+        parts.filter_map(|(tree, part)| Some(TreePart { tree: (*tree)?, frame: part.frame })).collect()
+    }
+
+    /// Whether the generators certainly span space: those of one body do, and its matrix does not flatten it.
+    pub(super) fn is_solid(&self) -> bool {
+        let is_solid = |part: &TreePart<'_>| part.frame.is_none_or(|frame| frame.relative_error().is_finite());
+        self.tree_parts().iter().any(|part| part.tree.is_solid && is_solid(part))
     }
 }
 
-impl Generators for TreeQuery<'_> {
+impl<P: Standing> Generators for TreeQuery<'_, P> {
     fn parts(&self) -> [Part<'_>; 2] {
-        self.query.parts()
+        Generators::parts(&self.query)
     }
 
     fn expected_crossing(&self) -> usize {
@@ -106,15 +118,21 @@ impl Generators for TreeQuery<'_> {
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {
-        self.part().support(u)
+        self.tree_parts().iter().map(|part| part.support(u)).reduce(|a, b| a + b).unwrap_or(Bounded::exact(0.0))
     }
 
     fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Places) -> FixedSum {
-        self.part().split(cell, 0, crossing, indices)
+        let mut offset = 0;
+        let sums = self.tree_parts().into_iter().map(|part| {
+            let fixed = part.split(cell, offset, crossing, indices);
+            offset += part.tree.rows.len();
+            fixed
+        });
+        sums.reduce(|sum, fixed| sum.plus(&fixed)).unwrap_or_default()
     }
 }
 
-impl KernelQuery for TreeQuery<'_> {
+impl<P: Standing> KernelQuery for TreeQuery<'_, P> {
     fn exact(&self) -> ExactVector {
         self.query.exact()
     }
@@ -123,20 +141,28 @@ impl KernelQuery for TreeQuery<'_> {
         self.query.rounded_displacement()
     }
 
-    fn as_query(&self) -> Option<Query<'_, 3>> {
-        Some(self.query)
+    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
+        self.query.displacement_pairs()
+    }
+
+    fn in_doubles(&self) -> Option<InDoubles<'_>> {
+        self.query.in_doubles()
     }
 
     fn likely_cell(&self, tally: &mut dyn Tally) -> Option<DirectionCone> {
         let p = self.query.rounded_displacement().map(|c| c.value);
-        cell_near_optimum(&[self.part()], p, tally)
+        cell_near_optimum(&self.tree_parts(), p, tally)
     }
 
     fn exact_sum_along(&self, direction: &ExactVector) -> Option<ExactVector> {
-        self.part().exact_sum_along(direction)
+        let mut sums = self.tree_parts().into_iter().map(|part| part.exact_sum_along(direction));
+        let first = sums.next()??;
+        sums.try_fold(first, |sum, next| Some(exact_linear::sum(&sum, &next?)))
     }
 
+    /// A body holds each of the two that it is the sum of, and M x is in s M Z if x is in s Z.
     fn known_gauge_bound(&self) -> Option<f64> {
-        Some(self.tree.gauge_bound)
+        let bound = |part: TreePart<'_>| part.tree.gauge_bound * part.frame.map_or(1.0, |frame| frame.shortening());
+        self.tree_parts().into_iter().map(bound).filter(|bound| !bound.is_nan()).reduce(f64::min)
     }
 }

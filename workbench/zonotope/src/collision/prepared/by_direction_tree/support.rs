@@ -56,6 +56,6 @@ impl DirectionTree {
 
     /// The centre itself as a query.
     fn at_origin(&self) -> TreeQuery<'_> {
-        TreeQuery { tree: self, query: Query::of_finite(self.center, self.center, &self.rows) }
+        TreeQuery { query: Query::of_finite(self.center, self.center, &self.rows), trees: [Some(self), None] }
     }
 }

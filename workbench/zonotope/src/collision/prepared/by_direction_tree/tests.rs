@@ -145,7 +145,7 @@ fn the_sum_over_a_cell_is_within_its_bound_and_no_sign_is_wrong() {
     for kind in 0..6 {
         let rows = body(kind, 3000, random);
         let tree = DirectionTree::new(&Zonotope::new([0.0; 3], rows).expect("finite"));
-        let query = tree.query_about([1.0, 0.0, 0.0]).expect("finite");
+        let query = tree.placed().query_about([1.0, 0.0, 0.0]).expect("finite");
         for round in 0..20 {
             let mut vector = |size: f64| [0; 3].map(|_| size * random.random_range(-1.0..1.0));
             let size = [0.0, 1e-9, 1e-3, 0.1][round % 4];

@@ -125,8 +125,8 @@ impl QueryStructure {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<(f64, f64), NonFinite> {
         match &self.held {
-            Held::Rows(body) => Ok(by_lad::facet(&Query::of_point_in(point, body)?).value()),
-            Held::Blocks(body) => Ok(by_lad::facet(&Query::of_point_in(point, body)?).value()),
+            Held::Rows(body) => Ok(by_lad::facet(&Query::of_point(point, body)?).value()),
+            Held::Blocks(body) => Ok(by_lad::facet(&Query::of_point_in(point, body.placed())?).value()),
             Held::DirectionTree(tree) => tree.gauge(point).map(|measured| (measured.value, measured.error)),
             Held::Cutting(cutting) => Ok(cutting.facet(point)?.value()),
             Held::Facets(facets) => facets.gauge(point),
@@ -140,11 +140,11 @@ impl QueryStructure {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
         match &self.held {
-            Held::Rows(body) => Ok(by_lad::locate(&Query::of_point_in(point, body)?)),
-            Held::Blocks(body) => Ok(by_lad::locate(&Query::of_point_in(point, body)?)),
+            Held::Rows(body) => Ok(by_lad::locate(&Query::of_point(point, body)?)),
+            Held::Blocks(body) => Ok(by_lad::locate(&Query::of_point_in(point, body.placed())?)),
             Held::DirectionTree(tree) => Ok(tree.locate(point)?.expand()),
             Held::Cutting(cutting) => Ok(cutting.facet(point)?.location()),
-            Held::Facets(facets) => Ok(by_lad::locate(&Query::of_point_in(point, facets.body())?)),
+            Held::Facets(facets) => Ok(by_lad::locate(&Query::of_point(point, facets.body())?)),
         }
     }
 }

@@ -9,17 +9,20 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
-use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
-use crate::lad::of_generators::told::Told;
+use crate::collision::answer::Proof;
+use crate::collision::proof::balance::choice::farthest_from_plane;
+use crate::collision::proof::balance::triple::Triple;
+use crate::collision::proof::vectors::Vectors;
+use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::exact_linear::{self, ExactVector};
+use crate::numeric::linear::{cross, dot, less_multiple};
 use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
-use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
-use crate::zonotope::query::Query;
+use crate::tally::Rung;
+use crate::zonotope::location::Witness;
 
 /// A share of more than this is taken to be 1: then others are solved for exactly, and nothing is told if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
@@ -27,72 +30,72 @@ const NEARLY_ONE: f64 = 1.0 - 1e-9;
 /// The proof, from the computed normal u of two generators with u · p > 0 and the signs of all products with it.
 /// `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
 pub(super) fn touching(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
     pair: [usize; 2],
     u: &[f64; 3],
     signs: &mut [f64],
     errors: &[f64; 3],
-) -> Option<Told> {
-    let [a, b] = pair.map(|i| query.generator(i));
+) -> Option<Proof> {
+    let [a, b] = pair.map(|i| vectors.value(i));
     let is_reversed = dot(u, &cross(&a, &b)) < 0.0;
-    let area = cross_terms(&a, &b);
+    let rounded_normal = bounded::cross(&vectors.bounded(pair[0]), &vectors.bounded(pair[1]));
+    let are_rows = vectors.parts.iter().all(|part| part.frame.is_none());
+    let exact_pair = pair.map(|i| query.exact_generator(i));
+    let normal = exact_linear::cross(&exact_pair[0], &exact_pair[1]);
     let mut members = Reused::with_capacity(8);
-    let (mut third, mut height) = (None, 0.0);
-    for (i, v) in query.generators().enumerate() {
-        let along = dot(v, u);
-        if along.abs() > DETERMINANT_OF_ROWS * dot(&v.map(f64::abs), &area) + PRODUCT_UNDERFLOW {
-            if along.abs() > height {
-                (third, height) = (Some(i), along.abs());
-            }
+    for (i, v) in vectors.iter().enumerate() {
+        if dot(&v, &rounded_normal).sign().is_some() {
             continue;
         }
-        match determinant_sign_of_rows(&a, &b, v) {
+        let order = if are_rows {
+            determinant_sign_of_rows(&a, &b, &v.map(|c| c.value))
+        } else {
+            exact_linear::dot(&normal, &query.exact_generator(i)).sign()
+        };
+        match order {
             Ordering::Equal => members.push(i),
             order => signs[i] = if (order == Ordering::Greater) != is_reversed { 1.0 } else { -1.0 },
         }
     }
-    let third = third?;
     let mut is_member = Reused::with_capacity(signs.len());
     is_member.resize(signs.len(), 0u32);
     members.iter().for_each(|&i| is_member[i] = 1);
-    let off_plane = query.generators().zip(signs.iter()).zip(&is_member);
-    let off_plane = off_plane.filter(|(_, is_member)| **is_member == 0).map(|((v, sign), _)| (*v, *sign as i8));
-    let left = exact_linear::difference(&query.exact(), &signed_sum(off_plane));
-    let normal = exact_linear::cross(&exact(a), &exact(b));
+    let off_facet = (0..signs.len()).filter(|&i| is_member[i] == 0);
+    let third = farthest_from_plane(u, off_facet, |i| vectors.value(i))?;
+    let mut off_plane = (0..signs.len()).filter(|&i| is_member[i] == 0).map(|i| (i, signs[i] as i8));
+    let left = exact_linear::difference(&query.exact(), &query.signed_sum_of(&mut off_plane));
     if !exact_linear::dot(&normal, &left).is_zero() {
         return None;
     }
     let rounded = left.each_ref().map(Dyadic::to_f64);
     let mut pair = pair;
     if members.len() > 2 {
-        let duals = [cross(&b, u), cross(u, &a)];
-        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
-        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
-        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&query.generator(i))).collect();
-        let shares = facet_coefficients(&vectors, plane(&rounded)).ok()?;
+        let generators = members.iter().map(|&i| vectors.value(i));
+        let shares = FacetPlane::along(u, [&a, &b]).shares(generators, &rounded).ok()?;
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = if share.abs() > NEARLY_ONE { share.signum() } else { share };
         }
-        pair = pair_of_edge(query, pair, &members, signs);
+        pair = pair_of_edge(vectors, pair, &members, signs);
     }
     let others = members.iter().copied().filter(|i| !pair.contains(i));
-    let touched = Touched { query, pair, third, others, signs };
+    let touched = Touched { query, vectors, pair, third, others, signs };
     let of_pair = touched.coefficients(&rounded, errors).or_else(|| touched.exact_coefficients(left))?;
     let mut coefficients = signs.to_vec();
     for (i, coefficient) in pair.into_iter().zip(of_pair) {
         coefficients[i] = coefficient;
     }
-    Some(Told::touching(coefficients, [pair[0], pair[1], third]))
+    Some(Proof::boundary(Witness::in_order(coefficients, [pair[0], pair[1], third]), Rung::ScaledSigns))
 }
 
 /// The two generators of the facet that make up for what the others leave: where all shares but one are at their ends,
 /// the point is on an edge, and only that one may be between its ends.
-fn pair_of_edge(query: &Query<'_, 3>, pair: [usize; 2], members: &[usize], shares: &[f64]) -> [usize; 2] {
+fn pair_of_edge(vectors: &Vectors<'_>, pair: [usize; 2], members: &[usize], shares: &[f64]) -> [usize; 2] {
     let mut between = members.iter().copied().filter(|&i| shares[i].abs() < 1.0);
     let (Some(only), None) = (between.next(), between.next()) else { return pair };
-    let v = query.generator(only);
+    let v = vectors.value(only);
     let area = |i: usize| {
-        let normal = cross(&v, &query.generator(i));
+        let normal = cross(&v, &vectors.value(i));
         dot(&normal, &normal)
     };
     if area(pair[0]) > area(pair[1]) { [only, pair[0]] } else { [only, pair[1]] }
@@ -100,7 +103,8 @@ fn pair_of_edge(query: &Query<'_, 3>, pair: [usize; 2], members: &[usize], share
 
 /// A facet that p is in the plane of, with the shares of all its generators but two.
 struct Touched<'a, I> {
-    query: &'a Query<'a, 3>,
+    query: &'a dyn KernelQuery,
+    vectors: &'a Vectors<'a>,
     pair: [usize; 2],
     /// A generator off the plane of the facet.
     third: usize,
@@ -113,30 +117,26 @@ struct Touched<'a, I> {
 impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
     /// The coefficients of the two for a sum of the facet's generators, if they are certainly in (−1, 1).
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
-        let start = minus(*sum, -self.signs[self.third], &self.query.generator(self.third));
-        let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.query.generator(i)));
-        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.query.generator(i));
-        match solve(&basis, &rest, errors)? {
-            [Some(first), Some(second), _] => Some([first, second]),
-            _ => None,
-        }
+        let start = less_multiple(*sum, -self.signs[self.third], &self.vectors.value(self.third));
+        let rest =
+            self.others.clone().fold(start, |rest, i| less_multiple(rest, self.signs[i], &self.vectors.value(i)));
+        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.vectors.bounded(i));
+        let rest = [0, 1, 2].map(|k| Bounded { value: rest[k], error: errors[k] });
+        let [first, second, _] = Triple::new(&basis).coefficients(&rest);
+        Some([first?, second?])
     }
 
     /// The same, exactly, if they are in [−1, 1].
     fn exact_coefficients(&self, sum: ExactVector) -> Option<[f64; 2]> {
         let rest = self.others.clone().fold(sum, |rest, i| {
             let share = Dyadic::from_f64(self.signs[i]);
-            exact_linear::difference(&rest, &exact_linear::multiple(&share, &exact(self.query.generator(i))))
+            exact_linear::difference(&rest, &exact_linear::multiple(&share, &self.query.exact_generator(i)))
         });
-        let [a, b] = self.pair.map(|i| exact(self.query.generator(i)));
+        let [a, b] = self.pair.map(|i| self.query.exact_generator(i));
         let normal = exact_linear::cross(&a, &b);
-        let square = exact_linear::dot(&normal, &normal);
-        let coefficient = |dual: &ExactVector| {
-            let numerator = exact_linear::dot(&rest, dual);
-            let is_within = !square.is_zero() && numerator.clone().abs() <= square;
-            is_within.then(|| numerator.ratio(&square).clamp(-1.0, 1.0))
-        };
-        Some([coefficient(&exact_linear::cross(&b, &normal))?, coefficient(&exact_linear::cross(&normal, &a))?])
+        // the normal has no share in a vector of the plane
+        let [first, second, _] = Triple::new(&[a, b, normal]).coefficients(&rest);
+        Some([first?, second?])
     }
 }
 
@@ -145,16 +145,15 @@ mod tests {
     use super::*;
     use crate::collision::brute_force;
     use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
-    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
+    use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
     /// What a pair tells, checked exactly.
     fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
-        let told = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?;
-        let location = of_told(told, &mut ());
+        let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location;
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
         Some(location.status().name())
     }
@@ -195,7 +194,7 @@ mod tests {
                 let along = dot(v, &u);
                 if along == 0.0 { f64::from(random.random_range(-3..4)) / 4.0 } else { along.signum() }
             };
-            let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -coefficient(v), v));
+            let p = body.iter().fold([0.0; 3], |sum, v| less_multiple(sum, -coefficient(v), v));
             let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
             let answer = told(&body, p, pair);
             assert!(answer.is_none() || answer == Some(status), "{answer:?} {status} {body:?} {p:?}");

@@ -13,18 +13,22 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
-use crate::collision::proof::balance::three_coefficients::{minus, solve};
-use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
-use crate::lad::of_generators::told::Told;
+use crate::collision::answer::Proof;
+use crate::collision::proof::balance::choice::farthest_from_plane;
+use crate::collision::proof::balance::triple::Triple;
+use crate::collision::proof::vectors::Vectors;
+use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
+use crate::lad::of_generators::seam::generators::{KernelQuery, Part};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, dot, less_multiple, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
-use crate::zonotope::query::Query;
+use crate::tally::Rung;
+use crate::zonotope::location::Witness;
 
 /// How many generators are looked at for the third of a basis where the two of the facet make up for everything in its
 /// plane.
@@ -63,7 +67,57 @@ impl<T: Number> Signed<T> {
     }
 }
 
-/// The sums over all generators; writes their signs.
+/// The sums over all generators.
+struct Sums {
+    /// Σ s v.
+    sum: [f64; 3],
+    /// Σ |v · u|.
+    reach: f64,
+    /// At least Σ |v|, coordinate by coordinate.
+    sizes: [f64; 3],
+    /// Σ |v| · |u|, and what stands for it where u is rounded as it is pulled back into a frame.
+    terms: f64,
+}
+
+impl Sums {
+    /// The sums; writes the signs. At rest one pass takes both runs.
+    #[inline]
+    fn of(parts: &[Part<'_>; 2], u: &[f64; 3], signs: &mut [f64]) -> Self {
+        let [first, second] = parts;
+        if first.frame.is_none() && second.frame.is_none() {
+            return Self::of_rows([first.rows, second.rows], u, signs);
+        }
+        let (own, others) = signs.split_at_mut(first.rows.len());
+        let (own, others) = (Self::of_part(first, u, own), Self::of_part(second, u, others));
+        let both = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+        Self {
+            sum: both(own.sum, others.sum),
+            reach: own.reach + others.reach,
+            sizes: both(own.sizes, others.sizes),
+            terms: own.terms + others.terms,
+        }
+    }
+
+    fn of_part(part: &Part<'_>, u: &[f64; 3], signs: &mut [f64]) -> Self {
+        let runs = [part.rows, Rows::NONE];
+        let Some(frame) = part.frame else { return Self::of_rows(runs, u, signs) };
+        let rows = Self::of_rows(runs, &frame.pulled(u), signs);
+        Self {
+            sum: frame.image(&rows.sum),
+            reach: rows.reach,
+            sizes: part.image_of_sizes(&rows.sizes),
+            terms: rows.terms + sum_norm(&rows.sizes) * frame.pulled_size(u),
+        }
+    }
+
+    #[inline(always)]
+    fn of_rows(runs: [Rows<'_>; 2], u: &[f64; 3], signs: &mut [f64]) -> Self {
+        let Signed { sum, reach, sizes } = dispatch!(level(), simd => signed(simd, runs, u, signs));
+        Self { sum, reach, sizes, terms: dot(&sizes, &u.map(f64::abs)) }
+    }
+}
+
+/// The sums over rows; writes their signs.
 #[inline(always)]
 fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3], mut signs: &mut [f64]) -> Signed<f64> {
     let (wide, units) = (splat(simd, u), Units::wide(simd));
@@ -90,22 +144,26 @@ fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3], mut signs: &mut [
 }
 
 /// Where p lies, with its proof, if the facet of two generators tells. O(n).
-pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [usize; 2]) -> Option<Told> {
-    let n = query.len();
-    let [a, b] = pair.map(|i| query.generator(i));
+///
+/// Of generators under a matrix, a sum is carried over in one more product, and each generator that is taken off it is
+/// rounded: fifteen roundings of each term more, for which the count of additions has room, as eight lanes add side by
+/// side.
+pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair: [usize; 2]) -> Option<Proof> {
+    let vectors = Vectors::of(query)?;
+    let n = vectors.len();
+    let [a, b] = pair.map(|i| vectors.value(i));
     let (product, own) = (cross(&a, &b), [p[0].value, p[1].value, p[2].value]);
     let reversed = dot(&product, &own) < 0.0;
     let u = if reversed { [-product[0], -product[1], -product[2]] } else { product };
     let mut signs = Reused::with_capacity(n);
     signs.resize(n, 0.0);
-    let sums = dispatch!(level(), simd => signed(simd, query.rows(), &u, &mut signs));
+    let sums = Sums::of(&vectors.parts, &u, &mut signs);
     // a term goes through at most so many additions, and a product of two vectors through three roundings more
     let roundings = UNIT * (n / 2 + 16) as f64;
-    let terms = dot(&sums.sizes, &u.map(f64::abs));
-    let error = (roundings * sums.reach + 4.0 * UNIT * terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
+    let error = (roundings * sums.reach + 4.0 * UNIT * sums.terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
     let (along, reach) = (dot(p, &bounded::exact(u)), Bounded { value: sums.reach, error });
     if (along - reach).is_positive() {
-        return Some(Told::Separated(u));
+        return Some(Proof::outside(u, Rung::RoundedDirection));
     }
     let factor = along.value / sums.reach;
     if !factor.is_finite() {
@@ -117,14 +175,14 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
     };
     let errors = [off(0), off(1), off(2)];
     if (reach - along).is_positive() {
-        let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors };
-        let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
-        if told.is_some() {
-            return told;
+        let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors };
+        let proof = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
+        if proof.is_some() {
+            return proof;
         }
     }
-    let exactly = |signs: &mut [f64]| touching(query, pair, &u, signs, &errors);
-    let in_pairs = |signs: &[f64]| location_in_pairs(query, pair, &u, reversed, signs);
+    let exactly = |signs: &mut [f64]| touching(query, &vectors, pair, &u, signs, &errors);
+    let in_pairs = |signs: &[f64]| location_in_pairs(query, &vectors, pair, &u, reversed, signs);
     if (along.value - reach.value).abs() < LIKELY_CONTACT * UNIT * sums.reach {
         exactly(&mut signs).or_else(|| in_pairs(&signs))
     } else {
@@ -134,7 +192,7 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
 
 /// A facet that p may be below, with the sum of all generators with their signs.
 struct Facet<'a> {
-    query: &'a Query<'a, 3>,
+    vectors: &'a Vectors<'a>,
     p: [f64; 3],
     pair: [usize; 2],
     u: [f64; 3],
@@ -148,7 +206,7 @@ struct Facet<'a> {
 impl Facet<'_> {
     /// The proof in which the two of the facet make up for everything in its plane.
     #[inline]
-    fn combined_by_pair(&self, signs: &[f64]) -> Option<Told> {
+    fn combined_by_pair(&self, signs: &[f64]) -> Option<Proof> {
         let third = self.third(THIRD_CANDIDATES)?;
         let [a, b] = self.pair;
         let left = self.without([a, b, third].into_iter(), signs);
@@ -156,27 +214,23 @@ impl Facet<'_> {
     }
 
     /// The proof in which all generators of the facet share what is to be made up for in its plane.
-    fn combined_by_shares(&self, signs: &mut [f64]) -> Option<Told> {
-        let [a, b] = self.pair.map(|i| self.query.generator(i));
+    fn combined_by_shares(&self, signs: &mut [f64]) -> Option<Proof> {
+        let [a, b] = self.pair.map(|i| self.vectors.value(i));
         let terms = |v: &[f64; 3]| (v[0] * self.u[0]).abs() + (v[1] * self.u[1]).abs() + (v[2] * self.u[2]).abs();
         let of_facet = |v: &[f64; 3]| dot(v, &self.u).abs() <= FACET_ROUNDING * terms(v);
-        let members: Reused<usize> =
-            self.query.generators().enumerate().filter(|(_, v)| of_facet(v)).map(|(i, _)| i).collect();
+        let members: Reused<usize> = (0..self.vectors.len()).filter(|&i| of_facet(&self.vectors.value(i))).collect();
         if members.len() <= self.pair.len() || self.pair.iter().any(|i| !members.contains(i)) {
             return None;
         }
         let left = self.without(members.iter().copied(), signs);
-        let duals = [cross(&b, &self.p), cross(&self.p, &a)];
-        let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
-        let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
-        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&self.query.generator(i))).collect();
-        let shares = facet_coefficients(&vectors, plane(&left).map(|c| -c)).ok()?;
-        let third = self.third(self.query.len()).filter(|third| !members.contains(third))?;
-        let mut left = minus(left, signs[third], &self.query.generator(third));
+        let generators = members.iter().map(|&i| self.vectors.value(i));
+        let shares = FacetPlane::along(&self.p, [&a, &b]).shares(generators, &left.map(|c| -c)).ok()?;
+        let third = self.third(self.vectors.len()).filter(|third| !members.contains(third))?;
+        let mut left = less_multiple(left, signs[third], &self.vectors.value(third));
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = share;
             if !self.pair.contains(&i) {
-                left = minus(left, -share, &self.query.generator(i));
+                left = less_multiple(left, -share, &self.vectors.value(i));
             }
         }
         self.combined(third, left, signs)
@@ -185,32 +239,30 @@ impl Facet<'_> {
     /// The generator that is farthest from the facet's plane, as one of so many shows.
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
-        let n = self.query.len();
-        let heights = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
-        let heights = heights.map(|i| (dot(&self.query.generator(i), &self.u).abs(), i));
-        let (height, third) = heights.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-        (height > 0.0).then_some(third)
+        let n = self.vectors.len();
+        let others = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
+        farthest_from_plane(&self.u, others, |i| self.vectors.value(i))
     }
 
     /// The signed sum without some generators, whose signs are listed.
     #[inline]
     fn without(&self, generators: impl Iterator<Item = usize>, signs: &[f64]) -> [f64; 3] {
-        generators.fold(self.sum, |sum, i| minus(sum, signs[i], &self.query.generator(i)))
+        generators.fold(self.sum, |sum, i| less_multiple(sum, signs[i], &self.vectors.value(i)))
     }
 
     /// The proof with a third generator in the basis, where `left` is the sum of all generators off the basis with
     /// their signs or shares.
     #[inline]
-    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64]) -> Option<Told> {
+    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64]) -> Option<Proof> {
         let basis = [self.pair[0], self.pair[1], third];
-        let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
-        let own = solve(&basis.map(|i| self.query.generator(i)), &rest, &self.errors)?;
-        let [Some(first), Some(second), Some(last)] = own else { return None };
+        let rest = |k: usize| Bounded { value: self.p[k] - self.factor * left[k], error: self.errors[k] };
+        let vectors = basis.map(|i| self.vectors.bounded(i));
+        let own = Triple::new(&vectors).absorb(&[rest(0), rest(1), rest(2)])?;
         let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
+        for (coefficient, i) in own.into_iter().zip(basis) {
             coefficients[i] = coefficient;
         }
-        Some(Told::combined(coefficients, basis))
+        Some(Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients))
     }
 }
 
@@ -218,15 +270,15 @@ impl Facet<'_> {
 mod tests {
     use super::*;
     use crate::collision::brute_force;
-    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
+    use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
     /// What a pair tells, checked exactly.
     fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
-        let location = of_told(location_by_pair(&query, &bounded::exact(p), pair)?, &mut ());
+        let location = location_by_pair(&query, &bounded::exact(p), pair)?.location;
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
         Some(location.status().name())
     }

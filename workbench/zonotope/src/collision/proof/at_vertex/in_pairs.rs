@@ -5,152 +5,127 @@
 //! in doubt, of the sum of all generators but the two, whose products with the normal are zero and not what rounding
 //! makes of them, and of what the basis makes up for.
 
-use std::cmp::Ordering;
-
-use crate::collision::proof::balance::three_coefficients::cross_terms;
+use crate::collision::answer::Proof;
+use crate::collision::proof::balance::choice::{farthest_from_plane, well_spread};
+use crate::collision::proof::balance::triple::Triple;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
-use crate::lad::of_generators::told::Told;
-use crate::numeric::combined_sum::combined_sum;
+use crate::collision::proof::of_optimum::separation::exact_rung;
+use crate::collision::proof::vectors::Vectors;
+use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::numeric::bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::exact_linear::{self, exact};
-use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
-use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
-use crate::zonotope::location::Separation;
-use crate::zonotope::query::Query;
+use crate::numeric::exact_linear;
+use crate::numeric::linear::{cross, dot};
+use crate::tally::Rung;
+use crate::zonotope::location::{Location, Separation, Witness};
 
 /// Where p lies, with its proof, from the computed normal u of two generators, which is a × b or, if it is reversed,
 /// its opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
 pub(super) fn location_in_pairs(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
     pair: [usize; 2],
     u: &[f64; 3],
     is_reversed: bool,
     shares: &[f64],
-) -> Option<Told> {
-    let of = |v: [f64; 3]| v.map(BoundedDoubleDouble::exact);
-    let (from, to) = (of(query.from()), of(query.to()));
-    let p = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-    let spanning = pair.map(|i| of(query.generator(i)));
+) -> Option<Proof> {
+    let p = query.displacement_pairs();
+    let spanning = pair.map(|i| vectors.pairs(i));
     let computed = cross(&spanning[0], &spanning[1]);
     let normal = if is_reversed { computed.map(BoundedDoubleDouble::negated) } else { computed };
-    let area = cross_terms(&query.generator(pair[0]), &query.generator(pair[1]));
+    let rounded_normal = bounded::cross(&vectors.bounded(pair[0]), &vectors.bounded(pair[1]));
     let mut coefficients = shares.to_vec();
     // at most by so much is Σ |v · n| larger than n · S, as some signs are not certain
     let mut doubt = BoundedDoubleDouble::exact(0.0);
-    for (i, v) in query.generators().enumerate() {
-        let is_certain = dot(v, u).abs() > DETERMINANT_OF_ROWS * dot(&v.map(f64::abs), &area) + PRODUCT_UNDERFLOW;
+    for (i, v) in vectors.iter().enumerate() {
+        let is_certain = dot(&v, &rounded_normal).sign().is_some();
         if pair.contains(&i) {
             coefficients[i] = 0.0;
         } else if !is_certain || shares[i].abs() < 1.0 {
-            let product = dot(&normal, &of(*v));
+            let product = dot(&normal, &vectors.pairs(i));
             match product.sign() {
                 Some(sign) if shares[i].abs() == 1.0 => coefficients[i] = f64::from(sign),
                 _ => doubt = doubt + product.largest(),
             }
         }
     }
-    let sum = combined(query, &coefficients);
+    let sum = query.combined(&coefficients);
     let (along, reach) = (dot(&normal, &p), dot(&normal, &sum));
     if (along - reach - doubt - doubt).sign() == Some(1) {
         let beyond = Beyond { normal, rest: [p[0] - sum[0], p[1] - sum[1], p[2] - sum[2]], spanning };
-        return Some(Told::Beyond(separation(query, &beyond, pair, is_reversed)));
+        let separation = separation(query, &beyond, pair, is_reversed);
+        return Some(Proof { rung: exact_rung(&separation), location: Location::Outside(separation) });
     }
     let factor = (along / reach).high;
     coefficients.iter_mut().for_each(|coefficient| *coefficient *= factor);
     // false for NaN as well
     let is_member = factor < 1.0;
-    if is_member { member(query, &p, pair, u, coefficients) } else { None }
+    if is_member { member(query, vectors, &p, pair, u, coefficients) } else { None }
 }
 
 /// The direction of the facet, which separates: in doubles, if that is found to separate as well.
-fn separation(query: &Query<'_, 3>, beyond: &Beyond, pair: [usize; 2], is_reversed: bool) -> Separation<3> {
+fn separation(query: &dyn KernelQuery, beyond: &Beyond, pair: [usize; 2], is_reversed: bool) -> Separation<3> {
     if let Some(direction) = beyond.direction_of_doubles(query) {
         return Separation::Rounded(direction);
     }
-    let [a, b] = pair.map(|i| exact(query.generator(i)));
+    let [a, b] = pair.map(|i| query.exact_generator(i));
     let normal = if is_reversed { exact_linear::cross(&b, &a) } else { exact_linear::cross(&a, &b) };
     Separation::Exact(Box::new(normal.map(|c| c.to_rational())))
 }
 
 /// The proof that p is inside, from the coefficients of all generators but the two of the facet: the two and a third
 /// make up for what is left, or, where the two are too short for that, three long ones.
-fn member(query: &Query<'_, 3>, p: &Pairs, pair: [usize; 2], u: &[f64; 3], mut coefficients: Vec<f64>) -> Option<Told> {
-    let third = largest(query, |i, v| if pair.contains(&i) { 0.0 } else { dot(v, u).abs() })?;
-    let facet = [pair[0], pair[1], third];
-    let own = solve(query, p, facet, &mut coefficients)?;
-    if let [Some(first), Some(second), Some(last)] = own.certain {
-        return Some(told(facet, [first, second, last], coefficients));
+fn member(
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
+    p: &Pairs,
+    pair: [usize; 2],
+    u: &[f64; 3],
+    mut coefficients: Vec<f64>,
+) -> Option<Proof> {
+    let off_facet = (0..vectors.len()).filter(|i| !pair.contains(i));
+    let facet = [pair[0], pair[1], farthest_from_plane(u, off_facet, |i| vectors.value(i))?];
+    let (triple, rest) = left_for(query, vectors, p, facet, &mut coefficients);
+    triple.determinant.sign()?;
+    if let Some(own) = triple.absorb(&rest) {
+        return Some(proof(facet, own, coefficients));
     }
-    for (i, coefficient) in facet.into_iter().zip(own.likely) {
-        coefficients[i] = coefficient.clamp(-1.0, 1.0);
+    for (i, numerator) in facet.into_iter().zip(triple.numerators(&rest)) {
+        let likely = (numerator.high / triple.determinant.high).clamp(-1.0, 1.0);
+        // of a generator too short to make up for anything nothing is known
+        coefficients[i] = if likely.is_nan() { 0.0 } else { likely };
     }
-    let first = largest(query, |_, v| max_norm(v))?;
-    let a = query.generator(first);
-    let second = largest(query, |_, v| max_norm(&cross(&a, v)))?;
-    let normal = cross(&a, &query.generator(second));
-    let basis = [first, second, largest(query, |_, v| dot(&normal, v).abs())?];
-    let own = solve(query, p, basis, &mut coefficients)?;
-    let [Some(first), Some(second), Some(last)] = own.certain else { return None };
-    Some(told(basis, [first, second, last], coefficients))
+    let basis = well_spread(0..vectors.len(), |i| vectors.value(i))?;
+    let (triple, rest) = left_for(query, vectors, p, basis, &mut coefficients);
+    Some(proof(basis, triple.absorb(&rest)?, coefficients))
 }
 
-fn told(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Told {
+fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof {
     for (coefficient, i) in own.into_iter().zip(basis) {
         coefficients[i] = coefficient;
     }
-    Told::combined(coefficients, basis)
+    Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients)
 }
 
-/// The generator of the largest value, if one is positive.
-fn largest(query: &Query<'_, 3>, value: impl Fn(usize, &[f64; 3]) -> f64) -> Option<usize> {
-    let values = query.generators().enumerate().map(|(i, v)| (value(i, v), i));
-    let (largest, index) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-    (largest > 0.0).then_some(index)
-}
-
-/// Σ c v.
-fn combined(query: &Query<'_, 3>, coefficients: &[f64]) -> Pairs {
-    let [first, second] = query.rows().map(Rows::list);
-    let (own, others) = coefficients.split_at(first.len());
-    let (own, others) = (combined_sum(first, own), combined_sum(second, others));
-    [own[0] + others[0], own[1] + others[1], own[2] + others[2]]
-}
-
-/// The coefficients of three generators.
-struct Solution {
-    /// Those that are certainly within (−1, 1).
-    certain: [Option<f64>; 3],
-    likely: [f64; 3],
-}
-
-/// The coefficients with which three generators make up for what all others leave of p; sets their places to zero.
-fn solve(query: &Query<'_, 3>, p: &Pairs, basis: [usize; 3], coefficients: &mut [f64]) -> Option<Solution> {
+/// Three generators, and what all others leave of p for them; sets the coefficients of the three to zero.
+fn left_for(
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
+    p: &Pairs,
+    basis: [usize; 3],
+    coefficients: &mut [f64],
+) -> (Triple<BoundedDoubleDouble>, Pairs) {
     basis.iter().for_each(|&i| coefficients[i] = 0.0);
-    let off = combined(query, coefficients);
-    let rest = [p[0] - off[0], p[1] - off[1], p[2] - off[2]];
-    let [a, b, c] = basis.map(|i| query.generator(i).map(BoundedDoubleDouble::exact));
-    let normals = cyclic_cross_products(&a, &b, &c);
-    let determinant = dot(&c, &normals[2]);
-    determinant.sign()?;
-    let mut solution = Solution { certain: [None; 3], likely: [0.0; 3] };
-    for (k, normal) in normals.iter().enumerate() {
-        let numerator = dot(&rest, normal);
-        let coefficient = (numerator.high / determinant.high).clamp(-1.0, 1.0);
-        let is_within = numerator.abs().certain_order(&determinant.abs()) == Some(Ordering::Less);
-        solution.certain[k] = is_within.then_some(coefficient);
-        // of a generator too short to make up for anything nothing is known
-        solution.likely[k] = if coefficient.is_finite() { coefficient } else { 0.0 };
-    }
-    Some(solution)
+    let off = query.combined(coefficients);
+    (Triple::new(&basis.map(|i| vectors.pairs(i))), [p[0] - off[0], p[1] - off[1], p[2] - off[2]])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::collision::brute_force;
-    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
+    use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -186,7 +161,8 @@ mod tests {
             let sign = f64::copysign(1.0, dot(&u, &p));
             let u = u.map(|c| sign * c);
             let shares = body.map(|v| f64::copysign(1.0, dot(&v, &u)));
-            location_in_pairs(&query, [i, j], &u, sign < 0.0, &shares).map(|told| of_told(told, &mut ()))
+            let vectors = Vectors::of(&query).expect("it has no matrix");
+            location_in_pairs(&query, &vectors, [i, j], &u, sign < 0.0, &shares).map(|proof| proof.location)
         });
         let checked = locations.map(|location| {
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));

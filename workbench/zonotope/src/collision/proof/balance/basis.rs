@@ -1,8 +1,11 @@
 //! Linearly independent generators, and exact coordinates in terms of them.
 
+use super::triple::{Coefficients, Triple};
 use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero, negated, rounded_direction};
+use crate::numeric::linear;
+use crate::zonotope::location::Witness;
 
 /// How many generators are proposed as the next of a basis.
 const PROPOSAL_LIMIT: usize = 3;
@@ -11,10 +14,8 @@ const PROPOSAL_LIMIT: usize = 3;
 #[derive(Debug, Clone)]
 pub(crate) struct Basis {
     pub(crate) generators: Vec<usize>,
-    /// The dual vectors times the determinant: the coefficient of b_i in x is dual_i · x / determinant.
-    dual: [ExactVector; 3],
-    /// Positive.
-    determinant: Dyadic,
+    /// The three vectors; normals and determinant have the sign with which the determinant is positive.
+    triple: Triple<Dyadic>,
 }
 
 impl Basis {
@@ -25,29 +26,40 @@ impl Basis {
             let next = orthogonal(&vectors);
             vectors.push(next);
         }
-        let [a, b, c] = [&vectors[0], &vectors[1], &vectors[2]];
-        let dual = cyclic_cross_products(a, b, c);
-        let determinant = dot(a, &dual[0]);
-        debug_assert!(!determinant.is_zero(), "the members are independent");
-        if determinant.sign().is_lt() {
-            return Self { generators, dual: dual.map(|d| d.map(|v| -v)), determinant: -determinant };
+        let vectors = vectors.try_into().expect("the members are at most three");
+        let mut triple = Triple::new(&vectors);
+        debug_assert!(!triple.determinant.is_zero(), "the members are independent");
+        if triple.determinant.sign().is_lt() {
+            triple = Triple { normals: triple.normals.map(negated), determinant: -triple.determinant };
         }
-        Self { generators, dual, determinant }
+        Self { generators, triple }
     }
 
     /// A basis extended until it spans all generators, and other generators that could have been the last added.
     pub(crate) fn spanning(query: &dyn KernelQuery, start: Self) -> (Self, Vec<usize>) {
-        let of = |index| query.exact_generator(index);
-        let (mut basis, mut others) = (start, Vec::new());
-        while basis.rank() < 3 {
-            let is_missed = |&i: &usize| basis.misses(&of(i));
-            let mut missed = most_independent(query, &basis).into_iter().filter(is_missed);
+        let candidates =
+            || query.generators().enumerate().map(|(index, vector)| Candidate { index, vector, room: 1.0 });
+        start.extended(candidates, |index| query.exact_generator(index))
+    }
+
+    /// The basis extended until it spans all candidates, and other candidates that could have been the last added.
+    pub(crate) fn extended<I: Iterator<Item = Candidate>>(
+        mut self,
+        candidates: impl Fn() -> I,
+        of: impl Fn(usize) -> ExactVector,
+    ) -> (Self, Vec<usize>) {
+        let mut others = Vec::new();
+        while self.rank() < 3 {
+            let is_missed = |&i: &usize| self.misses(&of(i));
+            let mut missed = self.most_independent(candidates()).into_iter().filter(is_missed);
             // where floating point proposes none: is there one at all?
-            let Some(first) = missed.next().or_else(|| (0..query.len()).find(is_missed)) else { break };
+            let Some(first) = missed.next().or_else(|| candidates().map(|own| own.index).find(is_missed)) else {
+                break;
+            };
             others = missed.collect();
-            basis = basis.with(first, of);
+            self = self.with(first, &of);
         }
-        (basis, others)
+        (self, others)
     }
 
     pub(crate) fn rank(&self) -> usize {
@@ -56,21 +68,42 @@ impl Basis {
 
     /// The coefficients of a vector of the span, times [`determinant`](Self::determinant).
     pub(crate) fn numerators(&self, x: &ExactVector) -> Vec<Dyadic> {
-        self.dual[..self.rank()].iter().map(|dual| dot(dual, x)).collect()
+        self.triple.normals[..self.rank()].iter().map(|normal| dot(normal, x)).collect()
     }
 
+    /// det(a, b, c) > 0.
     pub(crate) fn determinant(&self) -> &Dyadic {
-        &self.determinant
+        &self.triple.determinant
+    }
+
+    /// The proof in which the generators absorb a vector of the span, if their coefficients are in [−1, 1].
+    pub(crate) fn absorbing(&self, x: &ExactVector, mut coefficients: Vec<f64>) -> Option<Witness> {
+        for (&generator, numerator) in self.generators.iter().zip(self.numerators(x)) {
+            coefficients[generator] = numerator.coefficient(self.determinant())?;
+        }
+        Some(Witness { coefficients, basis: self.generators.clone() })
     }
 
     /// Whether a vector lies outside the span.
     pub(crate) fn misses(&self, x: &ExactVector) -> bool {
-        self.dual[self.rank()..].iter().any(|dual| !dot(dual, x).is_zero())
+        self.triple.normals[self.rank()..].iter().any(|normal| !dot(normal, x).is_zero())
     }
 
-    /// Normals of the planes between which the span is the intersection, as doubles.
-    pub(crate) fn rounded_normals(&self) -> Vec<[f64; 3]> {
-        self.dual[self.rank()..].iter().map(rounded_direction).collect()
+    /// The candidates that seem to be farthest from the span, in terms of their room, best first.
+    fn most_independent(&self, candidates: impl Iterator<Item = Candidate>) -> Vec<usize> {
+        let normals: Vec<[f64; 3]> = self.triple.normals[self.rank()..].iter().map(rounded_direction).collect();
+        let order = |a: &(f64, usize), b: &(f64, usize)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+        let mut best: Vec<(f64, usize)> = Vec::new();
+        for Candidate { index, vector, room } in candidates {
+            let key = room * normals.iter().map(|normal| linear::dot(normal, &vector).abs()).sum::<f64>();
+            let is_better = best.get(PROPOSAL_LIMIT - 1).is_none_or(|last| order(&(key, index), last).is_lt());
+            if key > 0.0 && key.is_finite() && is_better {
+                best.push((key, index));
+                best.sort_by(order);
+                best.truncate(PROPOSAL_LIMIT);
+            }
+        }
+        best.into_iter().map(|(_, index)| index).collect()
     }
 
     /// With one more generator, one that the span misses.
@@ -80,6 +113,16 @@ impl Basis {
         generators.sort_unstable();
         Self::new(generators.into_iter().map(|index| (index, of(index))).collect())
     }
+}
+
+/// A generator that may become one of a basis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Candidate {
+    pub(crate) index: usize,
+    /// The generator in doubles.
+    pub(crate) vector: [f64; 3],
+    /// How far its coefficient may change.
+    pub(crate) room: f64,
 }
 
 /// A vector, not zero, orthogonal to at most two independent ones.
@@ -94,23 +137,4 @@ fn orthogonal(vectors: &[ExactVector]) -> ExactVector {
             .find(|product| !is_zero(product))
             .expect("a vector that is not zero is parallel to at most one axis"),
     }
-}
-
-/// Generators that seem to be farthest from the span of a basis, best first.
-fn most_independent(query: &dyn KernelQuery, basis: &Basis) -> Vec<usize> {
-    let normals = basis.rounded_normals();
-    let key = |v: &[f64; 3]| {
-        let sum = normals.iter().map(|n| (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]).abs()).sum::<f64>();
-        if sum.is_finite() { sum } else { 0.0 }
-    };
-    let mut best: Vec<(f64, usize)> = Vec::new();
-    for (index, v) in query.generators().enumerate() {
-        let key = key(&v);
-        if key > 0.0 && (best.len() < PROPOSAL_LIMIT || key > best[best.len() - 1].0) {
-            best.truncate(PROPOSAL_LIMIT - 1);
-            best.push((key, index));
-            best.sort_by(|a, b| b.0.total_cmp(&a.0));
-        }
-    }
-    best.into_iter().map(|(_, index)| index).collect()
 }

@@ -2,14 +2,16 @@
 //!
 //! | file | what it has |
 //! |---|---|
-//! | [`three_coefficients`] | the coefficients of three generators in doubles, with bounds in terms of coordinates |
-//! | [`well_spread`] | three generators that are far from lying in one plane |
-//! | [`basis`] | linearly independent generators, and exact coordinates in terms of them |
+//! | [`triple`] | the coefficients of three vectors, over doubles or pairs of them with bounds, or exact numbers |
+//! | [`choice`] | three generators that are far from lying in one plane |
+//! | [`any_rest`] | three generators that absorb a rest of which only the size is known |
+//! | [`basis`] | linearly independent generators, and exact coefficients in terms of them |
 //! | [`solve`] | the coefficients of a basis in rationals, in any dimension |
 //! | [`nearest`] | the coefficients of a basis as doubles beside their exact values |
 
+pub(crate) mod any_rest;
 pub(crate) mod basis;
+pub(crate) mod choice;
 pub(crate) mod nearest;
 pub(crate) mod solve;
-pub(crate) mod three_coefficients;
-pub(crate) mod well_spread;
+pub(crate) mod triple;

@@ -9,182 +9,102 @@
 //! corrections of the basis in plain doubles, with a bound. Where that bound leaves more than the nearest double and
 //! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
 
-use super::solve::{left_over, solve};
-use crate::lad::of_generators::seam::linear_map::LinearMap;
+use std::array;
+
+use super::solve::left_over;
+use super::triple::Triple;
+use crate::lad::of_generators::seam::frame::Frame;
 use crate::numeric::Rational;
-use crate::numeric::bounded::Bounded;
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{self, exact, sum};
-use crate::numeric::linear::{cross, dot, sum_norm};
-use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
+use crate::numeric::exact_linear;
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW};
 use crate::zonotope::location::{Gauge, Location, Witness};
-use crate::zonotope::pose::Pose;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::{Placed, Standing};
 use crate::zonotope::query::Query;
 
-/// A query that a proof may be about: [`Query`] and [`PosedQuery`].
-pub trait Proved<const D: usize>: sealed::Completed {}
-
-impl<const D: usize> Proved<D> for Query<'_, D> {}
-
-impl Proved<3> for PosedQuery<'_> {}
-
-/// What completes a proof; no type outside of the library has it.
-mod sealed {
-    use crate::collision::Witness;
-
-    pub trait Completed {
-        /// How many generators there are.
-        fn count(&self) -> usize;
-
-        /// The doubles beside the coefficients of the basis; `None` if its generators are dependent or nothing
-        /// solves the equation. O(n).
-        fn nearest(&self, witness: &Witness) -> Option<Vec<f64>>;
-    }
-}
-
-impl<const D: usize> sealed::Completed for Query<'_, D> {
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    fn nearest(&self, witness: &Witness) -> Option<Vec<f64>> {
-        nearest(self, witness)
-    }
-}
-
-impl sealed::Completed for PosedQuery<'_> {
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    fn nearest(&self, witness: &Witness) -> Option<Vec<f64>> {
-        nearest(self, witness)
-    }
-}
-
-/// The generators and the displacement that a proof is about.
-trait Generators<const D: usize> {
-    /// The coefficients of the basis, exactly; `None` if its generators are dependent or nothing solves the equation.
-    /// O(n) exact additions.
-    fn exact_basis(&self, witness: &Witness) -> Option<Vec<Rational>>;
-
-    /// p − Σ c v over all generators. O(n).
-    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; D];
-
-    /// A generator in doubles, the coordinates beyond D 0, with a bound of its length |v|_1 of which 4 u bounds the
-    /// error.
-    fn vector(&self, index: usize) -> ([f64; 3], f64);
-}
-
-impl<const D: usize> Generators<D> for Query<'_, D> {
-    fn exact_basis(&self, Witness { coefficients, basis }: &Witness) -> Option<Vec<Rational>> {
-        solve(self, basis, &left_over(self, &self.exact(), coefficients, basis))
-    }
-
-    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; D] {
-        let [first, second] = self.runs();
-        let (own, others) = coefficients.split_at(first.len());
-        let (own, others) = (combined_sum(first, own), combined_sum(second, others));
-        let of = BoundedDoubleDouble::exact;
-        std::array::from_fn(|k| of(self.to()[k]) - of(self.from()[k]) - own[k] - others[k])
-    }
-
-    fn vector(&self, index: usize) -> ([f64; 3], f64) {
-        let v = self.generator(index);
-        let v = [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0));
-        (v, sum_norm(&v))
-    }
-}
-
-impl Generators<3> for PosedQuery<'_> {
-    fn exact_basis(&self, Witness { coefficients, basis }: &Witness) -> Option<Vec<Rational>> {
-        let [first, second] = self.runs();
-        let [from, to] = self.own_poses();
-        let split = first.len();
-        let (own, others) = coefficients.split_at(split);
-        let own_basis: Vec<usize> = basis.iter().copied().filter(|&b| b < split).collect();
-        let other_basis: Vec<usize> = basis.iter().filter_map(|b| b.checked_sub(split)).collect();
-        let left = |rows: &[[f64; 3]], coefficients: &[f64], basis: &[usize]| {
-            let centred = Query::of_finite([0.0; 3], [0.0; 3], rows);
-            left_over(&centred, &[0, 1, 2].map(|_| Dyadic::zero()), coefficients, basis)
-        };
-        let moved =
-            sum(&from.exact_image(&left(first, own, &own_basis)), &to.exact_image(&left(second, others, &other_basis)));
-        let column =
-            |pose: &Pose, v: [f64; 3]| pose.exact_image(&exact(v)).each_ref().map(Dyadic::to_rational).to_vec();
-        let columns: Vec<_> = basis
-            .iter()
-            .map(|&b| match b.checked_sub(split) {
-                None => column(from, first[b]),
-                Some(other) => column(to, second[other]),
-            })
-            .collect();
-        exact_linear::solve(&columns, &sum(self.displacement(), &moved).each_ref().map(Dyadic::to_rational))
-    }
-
-    fn rest(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; 3] {
-        let [first, second] = self.runs();
-        let (own, others) = coefficients.split_at(first.len());
-        let [from, to] = self.own_poses();
-        let [own, others] = [from.pair_image(&combined_sum(first, own)), to.pair_image(&combined_sum(second, others))];
-        let p = self.displacement_pairs();
-        [0, 1, 2].map(|k| p[k] - own[k] - others[k])
-    }
-
-    fn vector(&self, index: usize) -> ([f64; 3], f64) {
-        let [first, second] = self.runs();
-        let [from, to] = self.own_poses();
-        match index.checked_sub(first.len()) {
-            None => LinearMap::of(from).image_with_length(&first[index]),
-            Some(index) => LinearMap::of(to).image_with_length(&second[index]),
-        }
-    }
-}
-
-fn nearest<const D: usize>(query: &impl Generators<D>, witness: &Witness) -> Option<Vec<f64>> {
+/// The coefficients of a witness's basis, each the nearest double or the one beside it; `None` if its generators are
+/// dependent or nothing solves the equation. O(n).
+fn nearest<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Witness) -> Option<Vec<f64>> {
     in_doubles(query, witness)
-        .or_else(|| Some(query.exact_basis(witness)?.iter().map(|value| value.to_f64().value()).collect()))
+        .or_else(|| Some(exact_basis(query, witness)?.iter().map(|value| value.to_f64().value()).collect()))
+}
+
+/// The coefficients of the basis, exactly; `None` if its generators are dependent or nothing solves the equation. O(n)
+/// exact additions.
+fn exact_basis<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
+    Witness { coefficients, basis }: &Witness,
+) -> Option<Vec<Rational>> {
+    let (mut left, mut start) = (query.exact(), 0);
+    for body in query.parts() {
+        let rows = body.generators();
+        let places = start..start + rows.len();
+        let own: Vec<usize> = basis.iter().filter(|b| places.contains(b)).map(|b| b - start).collect();
+        let centred = Query::of_finite([0.0; D], [0.0; D], rows);
+        let rest = left_over(&centred, &array::from_fn(|_| Dyadic::zero()), &coefficients[places.clone()], &own);
+        let moved = body.exact_image(rest);
+        left = array::from_fn(|k| &left[k] + &moved[k]);
+        start = places.end;
+    }
+    let column = |&b: &usize| {
+        let (body, place) = body_of(query, b);
+        body.exact_image(body.generators()[place].map(Dyadic::from_f64)).map(|c| c.to_rational()).to_vec()
+    };
+    let columns: Vec<_> = basis.iter().map(column).collect();
+    exact_linear::solve(&columns, &left.map(|c| c.to_rational()))
+}
+
+/// The body of a generator, and the generator's place in it.
+fn body_of<'q, 'a, const D: usize, P: Standing>(
+    query: &'q Query<'a, D, P>,
+    index: usize,
+) -> (&'q Placed<'a, D, P>, usize) {
+    let [first, second] = query.parts();
+    index.checked_sub(first.generators().len()).map_or((first, index), |place| (second, place))
+}
+
+/// p − Σ c v over all generators. O(n).
+fn rest<const D: usize, P: Standing>(query: &Query<'_, D, P>, coefficients: &[f64]) -> [BoundedDoubleDouble; D] {
+    let [first, second] = query.parts();
+    let (own, others) = coefficients.split_at(first.generators().len());
+    let own = first.pair_image(combined_sum(first.generators(), own));
+    let others = second.pair_image(combined_sum(second.generators(), others));
+    let p = query.displacement_pairs();
+    array::from_fn(|k| p[k] - own[k] - others[k])
+}
+
+/// A generator in doubles, the coordinates beyond D 0, with a bound of each coordinate's error.
+fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) -> BoundedVector {
+    let (body, place) = body_of(query, index);
+    let v = body.generators()[place];
+    let v = [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0));
+    body.standing().pose().and_then(Frame::of).map_or_else(|| bounded::exact(v), |frame| frame.bounded_image(&v))
 }
 
 /// The coefficients of a basis that spans the space, each the nearest double or a neighbour of it, if doubles tell.
-fn in_doubles<const D: usize>(query: &impl Generators<D>, witness: &Witness) -> Option<Vec<f64>> {
+fn in_doubles<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Witness) -> Option<Vec<f64>> {
     const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     // what a coefficient is cut into has the digits that the bound of the sum counts on if it is at most 1
     let is_sound = D <= 3 && witness.basis.len() == D && witness.coefficients.iter().all(|c| c.abs() <= 1.0);
     if !is_sound {
         return None;
     }
-    let pairs = query.rest(&witness.coefficients);
+    let pairs = rest(query, &witness.coefficients);
     let rest = [0, 1, 2].map(|k| pairs.get(k).map_or(Bounded::exact(0.0), BoundedDoubleDouble::rounded));
-    let vector = |k: usize| witness.basis.get(k).map_or((AXES[k], 1.0), |&index| query.vector(index));
-    let [(a, first), (b, second), (c, third)] = [vector(0), vector(1), vector(2)];
-    let normals = [cross(&b, &c), cross(&c, &a), cross(&a, &b)];
-    let determinant = dot(&a, &normals[0]);
-    let volume = first * second * third;
-    let least = determinant.abs() - DETERMINANT_OF_IMAGES * volume - PRODUCT_UNDERFLOW;
-    // false for NaN as well
-    let is_spanning = least > 0.0 && [first, second, third].iter().all(|length| MODERATE_SIZES.contains(length));
-    if !is_spanning {
-        return None;
-    }
-    let values = rest.map(|c| c.value);
-    let (size, error) = (sum_norm(&values), rest[0].error + rest[1].error + rest[2].error);
-    let nearest = |((&index, normal), length): ((&usize, &[f64; 3]), f64)| {
-        let step = dot(&values, normal) / determinant;
-        // how far the product with the normal is off, then the quotient
-        let rounding = DETERMINANT_OF_IMAGES * (volume / length);
-        let along = error * (sum_norm(normal) + rounding) + size * rounding + PRODUCT_UNDERFLOW;
-        let off = (along + step.abs() * DETERMINANT_OF_IMAGES * volume) / least + 4.0 * UNIT * step.abs();
-        let off = off * LONG_SUM + PRODUCT_UNDERFLOW;
+    let vector = |k: usize| witness.basis.get(k).map_or(bounded::exact(AXES[k]), |&index| vector(query, index));
+    let steps = Triple::new(&[vector(0), vector(1), vector(2)]).bounded_coefficients(&rest);
+    let nearest = |(&index, Bounded { value: step, error }): (&usize, Bounded)| {
+        let off = error * LONG_SUM + PRODUCT_UNDERFLOW;
         let start = witness.coefficients[index];
         let value = (start + step).clamp(-1.0, 1.0);
+        // false for NaN as well
         let is_beside = value.next_down() <= start + (step - off) && start + (step + off) <= value.next_up();
         is_beside.then_some(value)
     };
-    witness.basis.iter().zip(&normals).zip([first, second, third]).map(nearest).collect()
+    witness.basis.iter().zip(steps).map(nearest).collect()
 }
 
 impl Witness {
@@ -193,13 +113,13 @@ impl Witness {
     ///
     /// Answers of bodies ([`Zonotope::locate`](crate::Zonotope::locate) and its like) are already so; those of single
     /// methods are not. A witness that proves nothing is given back as another that proves nothing.
-    pub fn with_nearest_basis<const D: usize>(mut self, query: &impl Proved<D>) -> Self {
-        let n = query.count();
+    pub fn with_nearest_basis<const D: usize, P: Standing>(mut self, query: &Query<'_, D, P>) -> Self {
+        let n = query.len();
         let is_basis = self.coefficients.len() == n && self.basis.iter().all(|&b| b < n);
         if !is_basis || self.basis.is_empty() || !self.coefficients.iter().all(|c| c.is_finite()) {
             return self;
         }
-        let values = query.nearest(&self);
+        let values = nearest(query, &self);
         for (&b, value) in self.basis.iter().zip(values.unwrap_or_default()) {
             self.coefficients[b] = value;
         }
@@ -209,7 +129,7 @@ impl Witness {
 
 impl<const D: usize> Location<D> {
     /// The same location, the proof of a member as [`Witness::with_nearest_basis`] has it.
-    pub fn with_nearest_basis(self, query: &impl Proved<D>) -> Self {
+    pub fn with_nearest_basis<P: Standing>(self, query: &Query<'_, D, P>) -> Self {
         match self {
             Self::Inside(witness) => Self::Inside(witness.with_nearest_basis(query)),
             Self::Boundary(witness) => Self::Boundary(witness.with_nearest_basis(query)),
@@ -220,7 +140,7 @@ impl<const D: usize> Location<D> {
 
 impl<const D: usize> Gauge<D> {
     /// The same gauge, the proof of a member as [`Witness::with_nearest_basis`] has it.
-    pub fn with_nearest_basis(self, query: &impl Proved<D>) -> Self {
+    pub fn with_nearest_basis<P: Standing>(self, query: &Query<'_, D, P>) -> Self {
         Self { location: self.location.with_nearest_basis(query), ..self }
     }
 }
@@ -228,9 +148,10 @@ impl<const D: usize> Gauge<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::by_lad::{locate, locate_posed};
+    use crate::collision::by_lad::locate;
     use crate::collision::{Separation, Status};
     use crate::zonotope::Zonotope;
+    use crate::zonotope::pose::Pose;
     use proptest::prelude::*;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -330,7 +251,7 @@ mod tests {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let first = Zonotope::new([0.0; 3], axes[..1].to_vec()).expect("finite");
         let second = Zonotope::new([0.25, 0.5, 0.75], axes[1..].to_vec()).expect("finite");
-        let query = PosedQuery::between((&first, &Pose::default()), (&second, &Pose::default()));
+        let query = Query::of_placed(first.at(&Pose::default()), second.at(&Pose::default()));
         for basis in [vec![0, 1, 2], vec![2, 1, 0], vec![1, 2, 0], vec![2], vec![1, 1]] {
             let coefficients: Vec<f64> = (0..3).map(|i| if basis.contains(&i) { 0.0 } else { 0.5 }).collect();
             let witness = Witness { coefficients, basis: basis.clone() }.with_nearest_basis(&query);
@@ -356,9 +277,9 @@ mod tests {
                 let query = Query::new([0.0; 3], p, &rows).expect("finite");
                 let body = Zonotope::new([0.5; 3], rows.clone()).expect("finite");
                 let pose = Pose::from_axis_angle([1.0, 2.0, 3.0], f64::from(i as u32), p).expect("an axis");
-                let posed = PosedQuery::between((&body, &Pose::IDENTITY), (&body, &pose));
+                let posed = Query::of_placed(body.at(&Pose::IDENTITY), body.at(&pose));
                 let plain = witness(&locate(&query)).map(|witness| compared(&query, witness));
-                let placed = witness(&locate_posed(&posed)).map(|witness| compared(&posed, witness));
+                let placed = witness(&locate(&posed)).map(|witness| compared(&posed, witness));
                 for was_told in plain.into_iter().chain(placed) {
                     (asked, told) = (asked + 1, told + usize::from(was_told));
                 }
@@ -375,8 +296,8 @@ mod tests {
     }
 
     /// Whether doubles tell the coefficients, which are then the nearest ones or beside these.
-    fn compared(query: &impl Generators<3>, witness: &Witness) -> bool {
-        let exact = query.exact_basis(witness).expect("the witness is one");
+    fn compared<P: Standing>(query: &Query<'_, 3, P>, witness: &Witness) -> bool {
+        let exact = exact_basis(query, witness).expect("the witness is one");
         let exact: Vec<f64> = exact.iter().map(|value| value.to_f64().value()).collect();
         let told = in_doubles(query, witness);
         for (own, exact) in told.iter().flatten().zip(&exact) {

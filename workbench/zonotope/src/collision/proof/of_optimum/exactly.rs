@@ -74,19 +74,6 @@ impl<'a> Combination<'a> {
         });
         let off = in_basis.map_or_else(|| self.optimum.sum.clone(), |v| difference(&self.optimum.sum, &v));
         let rest = difference(self.p, &multiple(&Dyadic::from_f64(factor), &off));
-        let numerators = basis.numerators(&rest);
-        if numerators.iter().any(|n| n.clone().abs() > *basis.determinant()) {
-            return None;
-        }
-        let mut coefficients: Vec<f64> = signs.iter().map(|&sign| f64::from(sign) * factor).collect();
-        for (&b, numerator) in basis.generators.iter().zip(&numerators) {
-            coefficients[b] = rounded(numerator, basis.determinant());
-        }
-        Some(Witness { coefficients, basis: basis.generators.clone() })
+        basis.absorbing(&rest, signs.iter().map(|&sign| f64::from(sign) * factor).collect())
     }
-}
-
-/// A ratio of magnitude at most 1, as a double of magnitude at most 1.
-pub(crate) fn rounded(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
-    numerator.rounded_ratio(denominator).clamp(-1.0, 1.0)
 }

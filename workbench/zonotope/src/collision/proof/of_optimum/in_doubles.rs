@@ -6,12 +6,13 @@
 //! it may do as far as c can grow towards 1.
 
 use crate::collision::Witness;
-use crate::collision::proof::balance::well_spread::well_spread;
+use crate::collision::proof::balance::choice::{sampled, well_spread};
+use crate::collision::proof::balance::triple::Triple;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;
-use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross};
-use crate::numeric::linear::{cyclic_cross_products, dot};
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
 
@@ -30,9 +31,9 @@ struct Third {
     index: usize,
     vector: [f64; 3],
     sign: f64,
-    /// The cross products of the three generators, in which coefficients are read off.
-    normals: [[f64; 3]; 3],
-    /// 1 over the determinant of the three; infinite where the third is in the plane of the others.
+    /// The three generators.
+    triple: Triple<f64>,
+    /// 1 over their determinant; infinite where the third is in the plane of the others.
     inverse: f64,
 }
 
@@ -49,16 +50,16 @@ struct Attempt {
 impl Third {
     fn new(optimum: &RoundedOptimum, index: usize, vector: [f64; 3], sign: f64) -> Self {
         let [a, b] = &optimum.vectors;
-        let normals = cyclic_cross_products(a, b, &vector);
-        Self { index, vector, sign, normals, inverse: 1.0 / dot(&vector, &normals[2]) }
+        let triple = Triple::new(&[*a, *b, vector]);
+        Self { index, vector, sign, triple, inverse: 1.0 / triple.determinant }
     }
 
     /// The attempt with a factor, and its margin.
     fn attempt(&self, optimum: &RoundedOptimum, p: &BoundedVector, factor: f64) -> Attempt {
         let rest = |k: usize| p[k].value - (optimum.sum[k].value - self.sign * self.vector[k]) * factor;
-        let rest = [rest(0), rest(1), rest(2)];
-        let size = |k: usize| (dot(&rest, &self.normals[k]) * self.inverse).abs();
-        let largest = size(0).max(size(1)).max(size(2));
+        let [first, second, third] = self.triple.numerators(&[rest(0), rest(1), rest(2)]);
+        let size = |numerator: f64| (numerator * self.inverse).abs();
+        let largest = size(first).max(size(second)).max(size(third));
         // none where the third is in the plane of the others
         let margin = if self.inverse.is_finite() { 1.0 - largest } else { 0.0 };
         Attempt { third: self.index, sign: self.sign, factor, margin }
@@ -120,7 +121,7 @@ fn prove(
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * optimum.shared + f64::MIN_POSITIVE) };
     let (sign, share) = (Bounded::exact(sign), Bounded::exact(factor));
     let rest = |k: usize| p[k] - (optimum.sum[k] - c[k] * sign) * share + rounded;
-    let own = solve(&[a, b, c], &[rest(0), rest(1), rest(2)])?;
+    let own = Triple::new(&[a, b, c]).absorb(&[rest(0), rest(1), rest(2)])?;
     let mut coefficients = cells.coefficients(query, &optimum.cell(), factor);
     for &(index, share) in &optimum.shares {
         coefficients[index] = share * factor;
@@ -141,7 +142,7 @@ fn prove_by_others(
     p: &BoundedVector,
     factor: f64,
 ) -> Option<Witness> {
-    let basis = well_spread(query.len(), |i| query.generator(i))?;
+    let basis = well_spread(sampled(query.len()), |i| query.generator(i))?;
     let is_other = |i: &usize| !optimum.basis.contains(i) && optimum.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
     let signs = basis.map(|i| cells.sign(query, &optimum.cell(), i));
@@ -157,7 +158,7 @@ fn prove_by_others(
         let off = own.fold(optimum.sum[k] + ends, |sum, term| sum + term);
         p[k] - off * Bounded::exact(factor) + rounded
     });
-    let own = solve(&vectors, &rest)?;
+    let own = Triple::new(&vectors).absorb(&rest)?;
     let mut coefficients = cells.coefficients(query, &optimum.cell(), factor);
     let shares = optimum.shares.iter().copied().chain(optimum.basis.into_iter().zip(parts));
     for (index, share) in shares {
@@ -169,19 +170,6 @@ fn prove_by_others(
     }
     basis.sort_unstable();
     Some(Witness { coefficients, basis })
-}
-
-/// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
-fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
-    let normals = [cross(b, c), cross(c, a), cross(a, b)];
-    let determinant = dot(c, &normals[2]);
-    let negative = determinant.sign()? < 0;
-    let determinant = if negative { determinant.negated() } else { determinant };
-    // three of each written out: the question about a box is half as long as a call for each of them
-    let [first, second, third] = [dot(rest, &normals[0]), dot(rest, &normals[1]), dot(rest, &normals[2])];
-    let is_within = first.is_within(determinant) && second.is_within(determinant) && third.is_within(determinant);
-    let scale = if negative { -determinant.value } else { determinant.value };
-    is_within.then_some([first.value / scale, second.value / scale, third.value / scale])
 }
 
 #[cfg(test)]

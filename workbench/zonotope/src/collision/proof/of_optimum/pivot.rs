@@ -9,7 +9,7 @@
 
 use std::cmp::Ordering;
 
-use super::exactly::{Combination, rounded};
+use super::exactly::Combination;
 use crate::collision::Witness;
 use crate::collision::proof::balance::basis::Basis;
 use crate::numeric::dyadic::Dyadic;
@@ -36,11 +36,7 @@ pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
     let coefficients = vec![0.0; signs.len()];
     let mut walk = Walk { combination, basis, coefficients, rest: combination.p.clone(), waiting, factor };
     walk.assign(&group);
-    let numerators = walk.basis.numerators(&walk.rest);
-    for (&b, numerator) in walk.basis.generators.iter().zip(&numerators) {
-        walk.coefficients[b] = rounded(numerator, walk.basis.determinant());
-    }
-    Witness { coefficients: walk.coefficients, basis: walk.basis.generators }
+    walk.basis.absorbing(&walk.rest, walk.coefficients).expect("each step leaves the basis in [−1, 1]")
 }
 
 fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {

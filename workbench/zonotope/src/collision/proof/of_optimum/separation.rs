@@ -2,6 +2,7 @@
 //! an exact direction.
 
 use crate::collision::Separation;
+use crate::collision::answer::Proof;
 use crate::collision::proof::direction_of_doubles::Beyond;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;
@@ -9,16 +10,25 @@ use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, negated};
+use crate::tally::Rung;
 
 /// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2
 /// |v|.
-pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Separation<3>> {
+pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Proof> {
     let error = optimum.direction.iter().fold(0.0f64, |m, c| m.max(c.error));
     let size: f64 = p.iter().map(|c| c.magnitude()).sum();
     let gap = optimum.along - optimum.support();
     let lost = Bounded::exact(error) * (Bounded::exact(4.0 * optimum.magnitude) + Bounded::exact(2.0 * size));
     let direction = optimum.direction.map(|c| c.value);
-    (gap - lost).is_positive().then_some(Separation::Rounded(direction))
+    (gap - lost).is_positive().then(|| Proof::outside(direction, Rung::RoundedDirection))
+}
+
+/// The rung of a direction that is proved without rounding.
+pub(in crate::collision) fn exact_rung(separation: &Separation<3>) -> Rung {
+    match separation {
+        Separation::Rounded(_) => Rung::DirectionOfDoubles,
+        Separation::Exact(_) => Rung::RationalDirection,
+    }
 }
 
 /// The proof from an exact direction u with u · p > h(u); `basis` has the generators to which u is known to be

@@ -2,45 +2,41 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::by_lad::locate_posed;
+use crate::collision::by_lad::locate;
 use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Separation, Status};
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::Posed;
-use crate::lad::of_generators::told::Told;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::pose::Pose;
+use crate::zonotope::query::Query;
 
 /// How two bodies meet in a frame.
 #[derive(Debug)]
 pub struct Tracked<'b> {
-    query: PosedQuery<'b>,
+    query: Query<'b, 3, Pose>,
     status: Status,
-    found: Found,
+    certificate: Certificate,
 }
 
-/// How the status was found.
+/// The proof of a frame's status, as far as it was written out.
 #[derive(Debug)]
-pub(super) enum Found {
-    /// By a bound of the gauge in an earlier frame and the way since: inside.
+pub(super) enum Certificate {
+    /// A bound of the gauge in an earlier frame and the way since: inside.
     Near,
-    /// By a direction that separates.
-    Separated([f64; 3]),
-    /// With all coefficients.
-    Located(Location<3>),
-    /// By an optimum of the kernel that doubles prove.
+    /// A direction that separates, or all coefficients.
+    Written(Location<3>),
+    /// An optimum of the kernel that doubles prove.
     Rounded(Optimum),
 }
 
 impl<'b> Tracked<'b> {
-    pub(super) fn new(query: PosedQuery<'b>, found: Found) -> Self {
-        let status = match &found {
-            Found::Near => Status::Inside,
-            Found::Separated(_) => Status::Outside,
-            Found::Located(location) => location.status(),
-            Found::Rounded(optimum) if optimum.is_member() => Status::Inside,
-            Found::Rounded(_) => Status::Outside,
+    pub(super) fn new(query: Query<'b, 3, Pose>, certificate: Certificate) -> Self {
+        let status = match &certificate {
+            Certificate::Near => Status::Inside,
+            Certificate::Written(location) => location.status(),
+            Certificate::Rounded(optimum) if optimum.is_member() => Status::Inside,
+            Certificate::Rounded(_) => Status::Outside,
         };
-        Self { query, status, found }
+        Self { query, status, certificate }
     }
 
     /// Inside if the interiors of the bodies have a point in common, boundary if they only touch or their sum is flat,
@@ -55,30 +51,33 @@ impl<'b> Tracked<'b> {
     }
 
     /// The query that the frame answered.
-    pub fn query(&self) -> &PosedQuery<'b> {
+    pub fn query(&self) -> &Query<'b, 3, Pose> {
         &self.query
     }
 
-    /// The status with its proof, such as [`PosedZonotope::intersection`](crate::collision::PosedZonotope) gives it: a
+    /// The status with its proof, such as [`Placed::intersection`](crate::Placed::intersection) gives it: a
     /// direction, O(1) nearly always, or a coefficient for each generator, O(n).
     pub fn location(&self) -> Location<3> {
-        let location = match &self.found {
-            Found::Near => locate_posed(&self.query),
-            Found::Separated(direction) => Location::Outside(Separation::Rounded(*direction)),
-            Found::Located(location) => location.clone(),
-            Found::Rounded(optimum) => of_optimum::location(&Posed::new(&self.query), optimum, &mut ()),
+        let location = match &self.certificate {
+            Certificate::Near => locate(&self.query),
+            Certificate::Written(location) => location.clone(),
+            Certificate::Rounded(optimum) => of_optimum::location(&self.query, optimum, &mut ()),
         };
         location.with_nearest_basis(&self.query)
     }
 }
 
-impl Found {
+impl Certificate {
+    /// The proof by a direction that separates.
+    pub(super) fn outside(direction: [f64; 3]) -> Self {
+        Self::Written(Location::Outside(Separation::Rounded(direction)))
+    }
+
     /// What an optimum says; one that doubles do not prove is written out, since its status takes the proof.
-    pub(super) fn of_optimum(query: &PosedQuery<'_>, optimum: Optimum) -> Self {
+    pub(super) fn of_optimum(query: &Query<'_, 3, Pose>, optimum: Optimum) -> Self {
         match optimum {
-            Optimum::Told(Told::Separated(direction)) => Self::Separated(direction),
             Optimum::Rounded(decided) if decided.order != Ordering::Equal => Self::Rounded(Optimum::Rounded(decided)),
-            other => Self::Located(of_optimum::location(&Posed::new(query), &other, &mut ())),
+            other => Self::Written(of_optimum::location(query, &other, &mut ())),
         }
     }
 }

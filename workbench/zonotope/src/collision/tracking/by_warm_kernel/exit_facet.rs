@@ -7,9 +7,10 @@
 //! whether or not the ray leaves there; where λ > 1 as well, p is inside. So a displacement that moves along the facet
 //! is told in O(1), however near to the facet it is.
 
+use crate::collision::proof::balance::triple::Triple;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::dot;
 
 /// The quantities of a proof that the ray leaves through a facet.
 #[derive(Debug, Clone, Copy)]
@@ -38,10 +39,8 @@ impl ExitFacet {
     pub(super) fn holds_inside(&self, p: &BoundedVector) -> bool {
         let along = dot(&self.normal, p);
         let [a, b] = &self.vectors;
-        let coefficients = [cross(b, p), cross(p, a)].map(|dual| dot(&self.sum, &dual));
-        along.is_positive()
-            && (self.reach - along).is_positive()
-            && coefficients.iter().all(|coefficient| coefficient.is_within(along))
+        let [first, second, _] = Triple::new(&[*a, *b, *p]).coefficients(&self.sum);
+        along.is_positive() && (self.reach - along).is_positive() && first.is_some() && second.is_some()
     }
 }
 

@@ -24,7 +24,9 @@ use crate::lad::of_generators::optimum::Optimum;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::Placed;
+use crate::zonotope::pose::Pose;
+use crate::zonotope::query::Query;
 
 /// A proof of the status of a frame, as far as it may hold after a motion.
 #[derive(Debug)]
@@ -51,7 +53,7 @@ pub(super) type Matrices = [[[f64; 3]; 3]; 2];
 
 impl Kept {
     /// What an optimum proves, if doubles prove the optimum. O(1).
-    pub(super) fn of_optimum(query: &PosedQuery<'_>, optimum: &Optimum, extents: &[Extent; 2]) -> Option<Self> {
+    pub(super) fn of_optimum(query: &Query<'_, 3, Pose>, optimum: &Optimum, extents: &[Extent; 2]) -> Option<Self> {
         if optimum.is_member() {
             let (value, error) = optimum.gauge();
             return Self::inside(query, value + error, ExitFacet::of(optimum), extents);
@@ -66,13 +68,13 @@ impl Kept {
     }
 
     /// That a direction separates, with h(u) where the poses are.
-    pub(super) fn outside(query: &PosedQuery<'_>, direction: [f64; 3], support: Bounded) -> Self {
+    pub(super) fn outside(query: &Query<'_, 3, Pose>, direction: [f64; 3], support: Bounded) -> Self {
         Self::Outside { direction, support, place: matrices(query) }
     }
 
     /// That the gauge is at most a bound, and where the ray left; none if neither tells of other displacements.
     pub(super) fn inside(
-        query: &PosedQuery<'_>,
+        query: &Query<'_, 3, Pose>,
         gauge: f64,
         facet: Option<ExitFacet>,
         extents: &[Extent; 2],
@@ -86,7 +88,7 @@ impl Kept {
     }
 
     /// Whether the proof still holds where the poses are now.
-    pub(super) fn holds(&self, query: &PosedQuery<'_>, extents: &[Extent; 2]) -> bool {
+    pub(super) fn holds(&self, query: &Query<'_, 3, Pose>, extents: &[Extent; 2]) -> bool {
         let p = query.displacement_estimate();
         match self {
             Self::Outside { direction, support, place } => {
@@ -111,13 +113,13 @@ impl Inside {
 }
 
 /// The radius of a ball in the sum of both bodies; 0 where doubles do not tell.
-fn radius_of_sum(query: &PosedQuery<'_>, extents: &[Extent; 2]) -> f64 {
-    let [from, to] = query.own_poses();
+fn radius_of_sum(query: &Query<'_, 3, Pose>, extents: &[Extent; 2]) -> f64 {
+    let [from, to] = query.parts().each_ref().map(Placed::standing);
     (extents[0].radius_under(from) + extents[1].radius_under(to)) * (1.0 - 4.0 * UNIT)
 }
 
 /// s such that the gauge of any x is at most s |x|_1, if the sum of both bodies is known to hold a ball.
-pub(super) fn gauge_bound(query: &PosedQuery<'_>, extents: &[Extent; 2]) -> Option<f64> {
+pub(super) fn gauge_bound(query: &Query<'_, 3, Pose>, extents: &[Extent; 2]) -> Option<f64> {
     let bound = FIVE_ROUNDINGS / radius_of_sum(query, extents);
     bound.is_finite().then_some(bound)
 }
@@ -132,9 +134,9 @@ fn norm_bound(coordinates: &[f64]) -> f64 {
 }
 
 /// At least T(u) for a direction u, or T.
-fn turned(place: &Matrices, query: &PosedQuery<'_>, extents: &[Extent; 2], direction: Option<&[f64; 3]>) -> f64 {
+fn turned(place: &Matrices, query: &Query<'_, 3, Pose>, extents: &[Extent; 2], direction: Option<&[f64; 3]>) -> f64 {
     let of = |i: usize| {
-        let (then, now) = (&place[i], query.own_poses()[i].rows());
+        let (then, now) = (&place[i], query.parts()[i].standing().rows());
         let off = [0, 1, 2].map(|row| [0, 1, 2].map(|k| now[row][k] - then[row][k]));
         let norm = norm_bound(off.as_flattened());
         let length = extents[i].length;
@@ -151,19 +153,18 @@ fn turned(place: &Matrices, query: &PosedQuery<'_>, extents: &[Extent; 2], direc
     (of(0) + of(1)) * THIRTY_ROUNDINGS
 }
 
-fn matrices(query: &PosedQuery<'_>) -> Matrices {
-    query.own_poses().each_ref().map(|pose| *pose.rows())
+fn matrices(query: &Query<'_, 3, Pose>) -> Matrices {
+    query.parts().each_ref().map(|body| *body.standing().rows())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::zonotope::Zonotope;
-    use crate::zonotope::pose::Pose;
 
     /// The proofs of two cubes [−1, 1]³, whose sum is [−2, 2]³, hold at these displacements and turns.
     fn holds(
-        kept: impl Fn(&PosedQuery<'_>, &[Extent; 2]) -> Option<Kept>,
+        kept: impl Fn(&Query<'_, 3, Pose>, &[Extent; 2]) -> Option<Kept>,
         start: [f64; 3],
         to: [f64; 3],
         turn: f64,
@@ -173,15 +174,16 @@ mod tests {
         let extents = [Extent::of(cube.generators()); 2];
         let at = |place, angle| Pose::from_axis_angle([0.0, 0.0, 1.0], angle, place).expect("an axis");
         let (then, now) = (at(start, 0.0), at(to, turn));
-        let first = PosedQuery::between((&cube, &Pose::IDENTITY), (&cube, &then));
+        let first = Query::of_placed(cube.at(&Pose::IDENTITY), cube.at(&then));
         let kept = kept(&first, &extents).expect("there is room");
-        kept.holds(&PosedQuery::between((&cube, &Pose::IDENTITY), (&cube, &now)), &extents)
+        kept.holds(&Query::of_placed(cube.at(&Pose::IDENTITY), cube.at(&now)), &extents)
     }
 
     #[test]
     fn a_direction_holds_as_far_as_it_has_room() {
-        let outside =
-            |query: &PosedQuery<'_>, _: &[Extent; 2]| Some(Kept::outside(query, [1.0, 0.0, 0.0], Bounded::exact(2.0)));
+        let outside = |query: &Query<'_, 3, Pose>, _: &[Extent; 2]| {
+            Some(Kept::outside(query, [1.0, 0.0, 0.0], Bounded::exact(2.0)))
+        };
         let holds = |x: f64, turn: f64| holds(outside, [3.0, 0.0, 0.0], [x, 7.0, -7.0], turn);
         assert!(holds(2.0 + 1e-13, 0.0) && !holds(2.0, 0.0) && !holds(-3.0, 0.0));
         // the turned cube reaches cos t + sin t ≤ 1 + t; the bound allows for 3 t
@@ -190,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_gauge_holds_as_far_as_it_has_room() {
-        let inside = |query: &PosedQuery<'_>, extents: &[Extent; 2]| Kept::inside(query, 0.5, None, extents);
+        let inside = |query: &Query<'_, 3, Pose>, extents: &[Extent; 2]| Kept::inside(query, 0.5, None, extents);
         let holds = |x: f64, turn: f64| holds(inside, [1.0, 0.0, 0.0], [x, 0.0, 0.0], turn);
         // the ball in the sum has a radius between 1.92 and 2
         assert!(holds(1.0, 0.0) && holds(1.95, 0.0) && !holds(2.0, 0.0) && holds(0.1, 0.0));
@@ -201,7 +203,7 @@ mod tests {
     #[test]
     fn nothing_is_kept_of_a_gauge_without_room() {
         let flat = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
-        let query = PosedQuery::between((&flat, &Pose::IDENTITY), (&flat, &Pose::IDENTITY));
+        let query = Query::of_placed(flat.at(&Pose::IDENTITY), flat.at(&Pose::IDENTITY));
         let extents = [Extent::of(flat.generators()); 2];
         assert!(Kept::inside(&query, 0.5, None, &extents).is_none() && gauge_bound(&query, &extents).is_none());
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -2,7 +2,7 @@
 //!
 //! # Statement
 //! Input: two bodies of space, and frame by frame a pose for each. Output: for each frame how the bodies meet
-//! ([`Tracked`]): inside, touching or disjoint, the same as [`PosedZonotope::intersection`] says, with a proof on
+//! ([`Tracked`]): inside, touching or disjoint, the same as [`Placed::intersection`] says, with a proof on
 //! request. No frame must be near the one before: a jump costs as much as a first query, and the status does not depend
 //! on the frames before. Flat, empty, parallel and touching bodies are ordinary input, and so is any matrix.
 //!
@@ -61,7 +61,7 @@
 //! }
 //! ```
 //!
-//! [`PosedZonotope::intersection`]: crate::collision::PosedZonotope::intersection
+//! [`Placed::intersection`]: crate::Placed::intersection
 
 mod answer;
 mod exit_facet;
@@ -77,28 +77,27 @@ mod tests;
 
 pub use answer::Tracked;
 
-use self::answer::Found;
+use self::answer::Certificate;
 use self::extent::Extent;
 use self::kept::{Kept, gauge_bound};
 use self::local_sums::{LocalSums, WIDEST_RADIUS};
 use self::pace::{COPY_CHARGE, Pace};
 use self::prediction::{Expected, Prediction};
 use self::query::WarmQuery;
-use crate::collision::by_lad::early::posed::PosedRows;
-use crate::collision::by_lad::early::{self, Clear};
+use crate::collision::by_lad::ladder;
+use crate::collision::{Location, Separation};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Posed};
+use crate::lad::of_generators::seam::generators::Generators;
 use crate::lad::of_generators::solve;
-use crate::lad::of_generators::told::Told;
 use crate::numeric::bounded;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Reads, Rung, Tally};
+use crate::zonotope::placed::Placed;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::posed_query::PosedQuery;
-use crate::zonotope::prepared::BodyView;
+use crate::zonotope::query::Query;
 
 /// The search takes all generators at once if there are no more than these: no sums are kept of them.
 const WHOLE_LIMIT: usize = 128;
@@ -116,7 +115,7 @@ const ROOM_AROUND: f64 = 4.0;
 /// Two bodies whose motion is followed; references to them, and what the last frame leaves.
 #[derive(Debug)]
 pub struct WarmTracker<'b> {
-    bodies: [BodyView<'b>; 2],
+    bodies: [Placed<'b>; 2],
     extents: [Extent; 2],
     sums: [LocalSums; 2],
     kept: Option<Kept>,
@@ -126,11 +125,11 @@ pub struct WarmTracker<'b> {
 
 impl<'b> WarmTracker<'b> {
     /// A tracker of two bodies, prepared or not. O(n).
-    pub fn new(first: impl Into<BodyView<'b>>, second: impl Into<BodyView<'b>>) -> Self {
+    pub fn new(first: impl Into<Placed<'b>>, second: impl Into<Placed<'b>>) -> Self {
         let bodies = [first.into(), second.into()];
         Self {
             bodies,
-            extents: bodies.map(|body| Extent::of(body.body().generators())),
+            extents: bodies.map(|body| Extent::of(body.generators())),
             sums: Default::default(),
             kept: None,
             prediction: None,
@@ -145,127 +144,119 @@ impl<'b> WarmTracker<'b> {
 
     /// [`frame`](Self::frame), counting its operations.
     pub fn frame_counted(&mut self, first: &Pose, second: &Pose, tally: &mut dyn Tally) -> Tracked<'b> {
-        let query = PosedQuery::between((self.bodies[0], first), (self.bodies[1], second));
+        let query = Query::of_placed(self.bodies[0].at(first), self.bodies[1].at(second));
         if let Some(kept) = self.kept.as_ref().filter(|kept| kept.holds(&query, &self.extents)) {
             self.pace.told();
             return Tracked::new(
                 query,
                 match kept {
-                    Kept::Outside { direction, .. } => Found::Separated(*direction),
-                    Kept::Inside(_) => Found::Near,
+                    Kept::Outside { direction, .. } => Certificate::outside(*direction),
+                    Kept::Inside(_) => Certificate::Near,
                 },
             );
         }
         if !self.pace.is_due() {
-            let found = self.fresh(&query, tally);
-            return Tracked::new(query, found);
+            let certificate = self.fresh(&query, tally);
+            return Tracked::new(query, certificate);
         }
         let mut reads = Reads { tally, generators: 0 };
-        let posed = Posed::new(&query);
-        let expected = self.prediction.as_ref().filter(|_| query.len() > WHOLE_LIMIT).map(|p| p.expected(&posed));
+        let expected = self.prediction.as_ref().filter(|_| query.len() > WHOLE_LIMIT).map(|p| p.expected(&query));
         let expected = expected.filter(|expected| ROOM_AROUND * CELL_DRIFTS * expected.drift <= WIDEST_RADIUS);
-        let (found, charge) = match expected {
-            Some(expected) => (self.warm(&query, posed, expected, &mut reads), COPY_CHARGE),
-            None => (self.cold(&query, posed, &mut reads), 1.0),
+        let (certificate, charge) = match expected {
+            Some(expected) => (self.warm(&query, expected, &mut reads), COPY_CHARGE),
+            None => (self.cold(&query, &mut reads), 1.0),
         };
         self.pace.attempted(charge * reads.generators as f64 / query.len().max(1) as f64);
-        Tracked::new(query, found)
+        Tracked::new(query, certificate)
     }
 
     /// A frame like a first query, in a pause: what can be learnt and kept of it without a pass is all but free.
-    fn fresh(&mut self, query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Found {
+    fn fresh(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
         self.kept = None;
-        if let Some(clear) = told_early(query, tally) {
-            return Found::Located(clear.location());
+        if let Some(proof) = ladder::early(query, tally) {
+            return Certificate::Written(proof.counted(tally));
         }
-        let posed = Posed::new(query);
-        let optimum = solve(&posed, Goal::Location, tally);
-        self.learn(&posed, &optimum);
+        let optimum = solve(query, Goal::Location, tally);
+        self.learn(query, &optimum);
         self.kept = Kept::of_optimum(query, &optimum, &self.extents);
-        Found::of_optimum(query, optimum)
+        Certificate::of_optimum(query, optimum)
     }
 
     /// A frame that has a prediction to go by.
-    fn warm(&mut self, query: &PosedQuery<'_>, posed: Posed<'_>, expected: Expected, tally: &mut dyn Tally) -> Found {
+    fn warm(&mut self, query: &Query<'_, 3, Pose>, expected: Expected, tally: &mut dyn Tally) -> Certificate {
         let Expected { direction, drift } = expected;
         let radius = (CELL_DRIFTS * drift).max(LEAST_CROSSING / query.len() as f64);
         let mut sums = std::mem::take(&mut self.sums);
-        for (part, sums) in posed.parts().iter().zip(&mut sums) {
-            let own = part.frame.map_or(direction, |frame| frame.map().pulled(&direction));
+        for (part, sums) in Generators::parts(query).iter().zip(&mut sums) {
+            let own = part.frame.map_or(direction, |frame| frame.pulled(&direction));
             let read = sums.centre_on(part.rows, own, ROOM_AROUND * radius);
             tally.add(Operation::GeneratorRead, read as u64);
         }
-        let p = posed.rounded_displacement();
+        let p = query.rounded_displacement();
         let along = dot(&direction, &p.map(|c| c.value));
         let cell = DirectionCone { center: direction.map(|c| c / along), axes: None, ball: radius / along };
         let cell = Some(cell).filter(|cell| along > 0.0 && cell.is_finite());
-        let warm = WarmQuery { posed, sums, cell, gauge_bound: gauge_bound(query, &self.extents) };
+        let warm = WarmQuery { query, sums, cell, gauge_bound: gauge_bound(query, &self.extents) };
         let was_outside = matches!(self.kept, Some(Kept::Outside { .. }));
         let support = warm.local_support(&direction).filter(|_| was_outside);
         let separating = support.filter(|&support| (dot(&p, &bounded::exact(direction)) - support).is_positive());
-        let found = if let Some(support) = separating {
+        let certificate = if let Some(support) = separating {
             tally.answered_by(Rung::RoundedDirection);
             self.kept = Some(Kept::outside(query, direction, support));
             self.prediction.iter_mut().for_each(Prediction::confirm);
-            Found::Separated(direction)
+            Certificate::outside(direction)
         } else {
             let optimum = solve(&warm, Goal::Location, tally);
             self.learn(&warm, &optimum);
-            if matches!(optimum, Optimum::Told(_)) {
+            if matches!(optimum, Optimum::Separated(_)) {
                 // the cell was missed by far
                 self.prediction = None;
             }
-            self.kept = self.proof_of(&optimum, query, &warm.posed, tally);
-            Found::of_optimum(query, optimum)
+            self.kept = self.proof_of(&optimum, query, tally);
+            Certificate::of_optimum(query, optimum)
         };
         self.sums = warm.sums;
-        found
+        certificate
     }
 
     /// A frame like a first query, of which more is kept than the answer.
     ///
     /// A direction that tells what is clear is kept as it is. Where the last one did not hold for long, the optimum,
     /// which leaves more room, is worth a search.
-    fn cold(&mut self, query: &PosedQuery<'_>, posed: Posed<'_>, tally: &mut dyn Tally) -> Found {
-        let clear = told_early(query, tally);
+    fn cold(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
+        let clear = ladder::early(query, tally).map(|proof| proof.counted(tally));
         let has_failed = matches!(self.kept.take(), Some(Kept::Outside { .. })) && query.len() > WHOLE_LIMIT;
         match clear {
-            Some(Clear::Outside(direction)) if !has_failed => {
-                self.kept = Some(Self::separating(query, &posed, direction, tally));
-                return Found::Separated(direction);
+            Some(Location::Outside(Separation::Rounded(direction))) if !has_failed => {
+                self.kept = Some(Self::separating(query, direction, tally));
+                return Certificate::outside(direction);
             }
-            Some(flat @ Clear::Flat(_)) => return Found::Located(flat.location()),
+            Some(flat @ Location::Boundary(_)) => return Certificate::Written(flat),
             _ => {}
         }
         // who asks for the location alone may be given any direction that separates
         let goal = if has_failed { Goal::Gauge } else { Goal::Location };
-        let optimum = solve(&posed, goal, tally);
-        self.learn(&posed, &optimum);
-        self.kept = self.proof_of(&optimum, query, &posed, tally);
+        let optimum = solve(query, goal, tally);
+        self.learn(query, &optimum);
+        self.kept = self.proof_of(&optimum, query, tally);
         match clear {
-            Some(clear) => Found::Located(clear.location()),
-            None => Found::of_optimum(query, optimum),
+            Some(clear) => Certificate::Written(clear),
+            None => Certificate::of_optimum(query, optimum),
         }
     }
 
     /// What is kept of an optimum. O(1), but for a direction that was found without an optimum.
-    fn proof_of(
-        &self,
-        optimum: &Optimum,
-        query: &PosedQuery<'_>,
-        posed: &Posed<'_>,
-        tally: &mut dyn Tally,
-    ) -> Option<Kept> {
+    fn proof_of(&self, optimum: &Optimum, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Option<Kept> {
         match optimum {
-            Optimum::Told(Told::Separated(direction)) => Some(Self::separating(query, posed, *direction, tally)),
+            Optimum::Separated(direction) => Some(Self::separating(query, *direction, tally)),
             _ => Kept::of_optimum(query, optimum, &self.extents),
         }
     }
 
     /// A direction that separates, with its support value. One pass.
-    fn separating(query: &PosedQuery<'_>, posed: &Posed<'_>, direction: [f64; 3], tally: &mut dyn Tally) -> Kept {
+    fn separating(query: &Query<'_, 3, Pose>, direction: [f64; 3], tally: &mut dyn Tally) -> Kept {
         tally.add(Operation::GeneratorRead, query.len() as u64);
-        Kept::outside(query, direction, posed.support(&direction))
+        Kept::outside(query, direction, query.support(&direction))
     }
 
     /// Takes note of an optimum, for predictions.
@@ -283,11 +274,6 @@ fn vertex_of(optimum: &Optimum) -> Option<([f64; 3], Option<[usize; 2]>)> {
     match optimum {
         Optimum::Rounded(decided) => Some((decided.optimum.direction.map(|c| c.value), Some(decided.optimum.basis))),
         Optimum::Exact(exact) => Some((rounded_direction(&exact.direction), exact.basis[..].try_into().ok())),
-        Optimum::Centre | Optimum::Told(_) | Optimum::Flat(_) => None,
+        Optimum::Centre | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
     }
-}
-
-/// What passes over a sample tell without a search.
-fn told_early(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Option<Clear> {
-    PosedRows::new(query).and_then(|rows| early::locate(&rows, tally))
 }

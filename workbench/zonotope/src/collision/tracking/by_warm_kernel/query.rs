@@ -9,14 +9,16 @@ use super::local_sums::LocalSums;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::{Generators, KernelQuery, Part, Posed};
+use crate::lad::of_generators::seam::generators::{Generators, InDoubles, KernelQuery, Part};
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near};
 use crate::numeric::linear::dot;
 use crate::tally::Tally;
+use crate::zonotope::pose::Pose;
 use crate::zonotope::query::Query;
 
 /// Memory for so many generators is taken for those that cross a cell; few cells are crossed by more.
@@ -26,7 +28,7 @@ const LIKELY_CROSSING: usize = 256;
 /// optimum.
 #[derive(Debug)]
 pub(super) struct WarmQuery<'a> {
-    pub(super) posed: Posed<'a>,
+    pub(super) query: &'a Query<'a, 3, Pose>,
     pub(super) sums: [LocalSums; 2],
     pub(super) cell: Option<DirectionCone>,
     /// s such that the gauge of any x is at most s |x|_1, if that is known.
@@ -37,7 +39,7 @@ impl WarmQuery<'_> {
     /// Σ |v · u|, if that is known from the sums of both bodies.
     pub(super) fn local_support(&self, u: &[f64; 3]) -> Option<Bounded> {
         let cell = DirectionCone { center: *u, axes: None, ball: 0.0 };
-        let [first, second] = self.posed.parts();
+        let [first, second] = Generators::parts(self.query);
         let [own, others] = &self.sums;
         Some(local_support(&first, own, &cell)? + local_support(&second, others, &cell)?)
     }
@@ -45,7 +47,7 @@ impl WarmQuery<'_> {
 
 impl Generators for WarmQuery<'_> {
     fn parts(&self) -> [Part<'_>; 2] {
-        self.posed.parts()
+        Generators::parts(self.query)
     }
 
     fn expected_crossing(&self) -> usize {
@@ -53,13 +55,13 @@ impl Generators for WarmQuery<'_> {
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {
-        self.local_support(u).unwrap_or_else(|| self.posed.support(u))
+        self.local_support(u).unwrap_or_else(|| self.query.support(u))
     }
 
     fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Places) -> FixedSum {
         let mut fixed = FixedSum::default();
         let mut offset = 0;
-        for (part, sums) in self.posed.parts().iter().zip(&self.sums) {
+        for (part, sums) in Generators::parts(self.query).iter().zip(&self.sums) {
             let first = indices.len();
             fixed = fixed.plus(&match part.frame {
                 None => sums.split(part.rows, cell, indices),
@@ -87,14 +89,13 @@ fn local_support(part: &Part<'_>, sums: &LocalSums, cell: &DirectionCone) -> Opt
     let near = Rows::new(&near);
     let (fixed, near) = match part.frame {
         None => (fixed, bounded_sum(near, u)),
-        Some(frame) => (frame.pushed_sum(&fixed), near_support(frame, near, u)),
+        Some(frame) => (frame.pushed_sum(&fixed), near_support(&frame, near, u)),
     };
     Some(dot(&fixed.bounded(), &bounded::exact(*u)) + near)
 }
 
-fn near_support(frame: &Frame, near: Rows<'_>, u: &[f64; 3]) -> Bounded {
-    let map = frame.map();
-    bounded_sum_near(near, &map.pulled(u), map.pulled_size(u))
+fn near_support(frame: &Frame<'_>, near: Rows<'_>, u: &[f64; 3]) -> Bounded {
+    bounded_sum_near(near, &frame.pulled(u), frame.pulled_size(u))
 }
 
 /// The sum over all generators whose sign is fixed in a cell within that of a level, and the other generators.
@@ -106,15 +107,19 @@ fn split_in(level: &Reduced, cell: &DirectionCone) -> (FixedSum, Vec<[f64; 3]>) 
 
 impl KernelQuery for WarmQuery<'_> {
     fn exact(&self) -> ExactVector {
-        self.posed.exact()
+        self.query.exact()
     }
 
     fn rounded_displacement(&self) -> BoundedVector {
-        self.posed.rounded_displacement()
+        self.query.rounded_displacement()
     }
 
-    fn as_query(&self) -> Option<Query<'_, 3>> {
-        None
+    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
+        self.query.displacement_pairs()
+    }
+
+    fn in_doubles(&self) -> Option<InDoubles<'_>> {
+        self.query.in_doubles()
     }
 
     fn likely_cell(&self, _: &mut dyn Tally) -> Option<DirectionCone> {

@@ -2,8 +2,8 @@
 
 use super::WarmTracker;
 use super::local_sums::LocalSums;
-use crate::collision::by_lad::{gauge_posed, locate_posed, locate_posed_counted};
-use crate::collision::{PosedQuery, Status};
+use crate::collision::by_lad::{locate, locate_counted};
+use crate::collision::{Query, Status, by_lad};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::lanes::rows::Rows;
@@ -33,7 +33,7 @@ fn spinning(bodies: &[PreparedBody; 2], angle: f64, gauges: impl Iterator<Item =
             |axis, times: f64| Pose::from_axis_angle(axis, times * i as f64 * angle, [0.0; 3]).expect("an axis");
         let [from, to] = [turned([1.0, 2.0, 3.0], 1.0), turned([0.0, 1.0, -1.0], -0.7)];
         let at = |distance: f64| Pose::new(to.matrix(), direction.map(|c| c * distance)).expect("finite");
-        let unit = gauge_posed(&PosedQuery::between((&bodies[0], &from), (&bodies[1], &at(1.0)))).value;
+        let unit = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&at(1.0)))).value;
         [from, at(gauge / unit)]
     };
     gauges.enumerate().map(frame).collect()
@@ -46,8 +46,8 @@ fn reads(bodies: &[PreparedBody; 2], frames: &[[Pose; 2]], warm_up: usize) -> [u
     for (i, [from, to]) in frames.iter().enumerate() {
         let mut counts = [OperationCounts::default(); 2];
         let tracked = tracker.frame_counted(from, to, &mut counts[0]);
-        let query = PosedQuery::between((&bodies[0], from), (&bodies[1], to));
-        assert_eq!(tracked.status(), locate_posed_counted(&query, &mut counts[1]).status());
+        let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
+        assert_eq!(tracked.status(), locate_counted(&query, &mut counts[1]).status());
         if i >= warm_up {
             [0, 1].into_iter().for_each(|k| totals[k] += counts[k].get(Operation::GeneratorRead));
         }
@@ -94,7 +94,7 @@ fn proofs_of_all_kinds_of_frames_are_written() {
         let tracked = tracker.frame(&from, &to);
         let location = tracked.location();
         assert_eq!(location.status(), tracked.status());
-        assert_eq!(location.status(), locate_posed(tracked.query()).status());
+        assert_eq!(location.status(), locate(tracked.query()).status());
         seen[usize::from(tracked.status() == Status::Inside)] += 1;
     }
     assert!(seen.iter().all(|&count| count > 10), "{seen:?}");

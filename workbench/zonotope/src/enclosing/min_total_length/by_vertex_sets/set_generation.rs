@@ -5,8 +5,9 @@
 //! in the next one. The loop ends when neither the vertices nor the points are farther out than ε allows, for then the
 //! lower and the upper bound are within ε.
 
+use super::finer_nets::along_finer_nets;
 use super::scalar::Scalar;
-use super::start::start;
+use super::start::{Start, start};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
@@ -36,8 +37,8 @@ const RECENTRING_FACTOR: f64 = 100.0;
 /// Set generation ends when rounding has taken more steps than this out of the cone.
 const RECENTRING_LIMIT: usize = 4;
 
-/// Set generation ends after this many multiplications and additions, which take about half a minute.
-pub(super) const WORK_LIMIT: f64 = 1e11;
+/// Set generation ends after this many multiplications and additions, which take some seconds.
+pub(super) const WORK_LIMIT: f64 = 1.5e10;
 
 /// All points are looked at where the zonotope would close this share of the gap between the bounds.
 const SHARE_WORTH_A_LOOK: f64 = 0.1;
@@ -81,7 +82,10 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
 ) -> Found<D> {
     let coordinates = BoxCoordinates::of(frame);
     let mut inner = coordinates.boxed();
-    let mut members = start::<R, D>(frame, &coordinates, best, &mut inner);
+    let mut members = match start::<R, D>(frame, &coordinates, epsilon, best, &mut inner, tally) {
+        Start::Members(members) => members,
+        Start::Within => return Found { progress: vec![[inner.upper, best.lower]], inner, sets: 0 },
+    };
     members.sets.work = *work;
     let (mut progress, mut tried, mut idle, mut recentrings) = (Vec::new(), 0, 0, 0);
     let (mut excess, mut least_error) = (0.0, f64::INFINITY);
@@ -152,5 +156,10 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
         }
     }
     *work = members.sets.work;
+    // Nets take their time whatever the number of points, and prove some ratio in any case.
+    if *work > WORK_LIMIT && frame.rank() == 3 {
+        along_finer_nets(frame, &coordinates, epsilon, best, &mut inner, tally);
+        progress.push([inner.upper, best.lower]);
+    }
     Found { inner, progress, sets: tried }
 }

@@ -1,14 +1,16 @@
 //! The points and sets that set generation begins with.
 
+use super::finer_nets::{along_finer_nets, keep_shorter, multipliers_of};
 use super::members::Members;
 use super::scalar::Scalar;
 use super::vertex_sets::VertexSets;
-use crate::enclosing::fixed_directions::{Generation, balanced};
+use crate::enclosing::fixed_directions::Generation;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::direction_net::{Net, cell_corners};
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
+use crate::tally::Tally;
 
 /// The ε of the direction net whose optimum set generation begins with.
 const COARSE_NET_EPSILON: f64 = 0.1;
@@ -16,20 +18,41 @@ const COARSE_NET_EPSILON: f64 = 0.1;
 /// The relative precision to which the program along the coarse net is solved.
 const COARSE_NET_PRECISION: f64 = 1e-6;
 
+/// Finer nets are tried where ε is at least this share of the gap between the bounds that the coarse net leaves: a net
+/// of three times as many directions leaves about an eighth of it.
+const LEAST_SHARE_OF_GAP: f64 = 0.12;
+
+/// Finer nets are to bring the bounds within this share of ε: what is left of it is for rounding the generators.
+const SHARE_OF_EPSILON: f64 = 0.999;
+
+/// Finer nets are tried where at least this many points have a multiplier: with fewer the interior-point method is
+/// faster.
+const LEAST_MULTIPLIER_COUNT: usize = 40;
+
+/// The beginning of set generation.
+pub(super) enum Start<'a, R, const D: usize> {
+    /// The points and sets that it begins with.
+    Members(Members<'a, R, D>),
+    /// Nothing is left to do: nets of directions have proven the ratio.
+    Within,
+}
+
 /// The members that set generation begins with: in space those of the optimum along a coarse net; in other dimensions,
 /// or if that fails, the farthest points along the axes. The bounds of the net's optimum are kept in `best` and
-/// `inner`.
+/// `inner`; where finer nets are likely to bring them within ε, these are tried first.
 pub(super) fn start<'a, R: Scalar, const D: usize>(
     frame: &'a Frame<D>,
     coordinates: &'a BoxCoordinates<'a, D>,
+    epsilon: f64,
     best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
-) -> Members<'a, R, D> {
+    tally: &mut dyn Tally,
+) -> Start<'a, R, D> {
     let rank = frame.rank();
     if rank == 3
-        && let Some(members) = from_net(frame, coordinates, best, inner)
+        && let Some(start) = from_net(frame, coordinates, epsilon, best, inner, tally)
     {
-        return members;
+        return start;
     }
     let mut members = Members::new(frame, coordinates, VertexSets::new(rank, coordinates, best.lower), Vec::new());
     for axis in 0..rank {
@@ -38,7 +61,7 @@ pub(super) fn start<'a, R: Scalar, const D: usize>(
             members.add(members.farthest(&u), &u);
         }
     }
-    members
+    Start::Members(members)
 }
 
 /// The points on the boundary of the shortest zonotope along a coarse net, with their multipliers. The sets are those
@@ -47,27 +70,30 @@ pub(super) fn start<'a, R: Scalar, const D: usize>(
 fn from_net<'a, R: Scalar, const D: usize>(
     frame: &'a Frame<D>,
     coordinates: &'a BoxCoordinates<'a, D>,
+    epsilon: f64,
     best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
-) -> Option<Members<'a, R, D>> {
+    tally: &mut dyn Tally,
+) -> Option<Start<'a, R, D>> {
     let rank = frame.rank();
     let net = Net::Cells.directions(rank, COARSE_NET_EPSILON);
     let weights = vec![1.0; net.len()];
     let mut generation = Generation::new(rank, &frame.points, net, weights, &mut ());
     generation.set_precision(COARSE_NET_PRECISION);
     generation.run(&mut ()).ok()?;
-    let program = &generation.program;
-    let unbalanced: Vec<(usize, [f64; D])> =
-        program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
-    let multipliers = balanced(&unbalanced);
+    let multipliers = multipliers_of(&generation);
     if multipliers.len() < 2 {
         return None;
     }
-    let along_net = coordinates.stretched(FrameZonotope::along(&generation));
-    if along_net.upper < inner.upper {
-        *inner = along_net;
-    }
+    keep_shorter(coordinates.stretched(FrameZonotope::along(&generation)), inner);
     let far = best.improve(rank, &frame.points, multipliers.clone(), 1.0);
+    let is_within = |inner: &FrameZonotope<D>, best: &BestBound<D>, ratio| inner.upper <= (1.0 + ratio) * best.lower;
+    if multipliers.len() >= LEAST_MULTIPLIER_COUNT && is_within(inner, best, epsilon / LEAST_SHARE_OF_GAP) {
+        along_finer_nets(frame, coordinates, SHARE_OF_EPSILON * epsilon, best, inner, tally);
+        if is_within(inner, best, SHARE_OF_EPSILON * epsilon) {
+            return Some(Start::Within);
+        }
+    }
     let multipliers: Vec<(usize, [f64; D])> =
         multipliers.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
     let places: Vec<usize> = multipliers.iter().map(|(j, _)| *j).collect();
@@ -76,5 +102,5 @@ fn from_net<'a, R: Scalar, const D: usize>(
     let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
     let multipliers = multipliers.into_iter().map(|(_, f)| f).collect();
     let sets = VertexSets::with_multipliers(rank, coordinates, &points, multipliers, &directions);
-    Some(Members::new(frame, coordinates, sets, places))
+    Some(Start::Members(Members::new(frame, coordinates, sets, places)))
 }

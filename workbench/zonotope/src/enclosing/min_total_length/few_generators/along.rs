@@ -16,16 +16,15 @@ const LEAST_RELATIVE_COST: f64 = 1e-6;
 /// A direction at less than this angle to the span of others counts as one of the span.
 const LEAST_ANGLE_OFF_SPAN: f64 = 1e-3;
 
-/// The search ends after so much work, which takes a few seconds.
-const WORK_LIMIT: f64 = 3e8;
+/// The search ends after its programs have read so many entries and products of points, which takes a second or two.
+const WORK_LIMIT: u64 = 1 << 32;
 
 /// The linear programs of a search: those of the points of a frame, to one precision.
 pub(super) struct Programs<'a, const D: usize> {
     pub(super) frame: &'a Frame<D>,
     precision: f64,
-    /// The work so far: for each program its rows times the square of its columns, and the points of all passes times
-    /// its columns.
-    work: Cell<f64>,
+    /// The entries and products of points that the programs have read so far.
+    work: Cell<u64>,
 }
 
 /// The shortest zonotope along directions: a basic solution of the linear program, so few of its coefficients are
@@ -45,7 +44,7 @@ pub(super) struct Along<const D: usize> {
 impl<'a, const D: usize> Programs<'a, D> {
     /// Programs that are solved to a relative precision.
     pub(super) fn new(frame: &'a Frame<D>, precision: f64) -> Self {
-        Self { frame, precision, work: Cell::new(0.0) }
+        Self { frame, precision, work: Cell::new(0) }
     }
 
     /// The shortest zonotope around the points along the lines of some vectors, of any length. `None` if the vectors do
@@ -70,11 +69,9 @@ impl<'a, const D: usize> Programs<'a, D> {
         let weights = costs.iter().map(|cost| (cost / greatest).max(LEAST_RELATIVE_COST)).collect();
         let mut generation = Generation::new(rank, &self.frame.points, directions.clone(), weights, &mut ());
         generation.set_precision(self.precision);
+        generation.set_work_limit(WORK_LIMIT - self.work.get());
         let ended = generation.run(&mut ());
-        let columns = (directions.len() + rank) as f64;
-        let passes = generation.passes as f64 * self.frame.points.len() as f64;
-        let work = (generation.program.rows().len() as f64 * columns + passes) * columns;
-        self.work.set(self.work.get() + work);
+        self.work.set(self.work.get() + generation.work());
         ended.ok()?;
         let coefficients: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
         let length = coefficients.iter().sum::<f64>();

@@ -3,14 +3,14 @@
 //! # Statement
 //! Input: points of R^D and an answer of one of the methods of [`min_total_length`](super): a zonotope around the
 //! points and a lower bound of all total lengths, with its proof. Output: the same with a zonotope of few generators.
-//! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`shortest_of_few`] keeps
-//! the number of generators within a count and looks for a small ratio, and merges nearby ones where that costs a tenth
-//! of ε at most; [`of_less_volume`] keeps neither and looks for
-//! a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is proven as
-//! before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many, is not
-//! proven: it is the best that a local search found. What cannot be made sparser is returned as it was: one point, a
-//! zonotope whose ratio is above 1 + ε already, needles a hundred million times as long as wide, numbers near the ends
-//! of the range of doubles.
+//! [`fewest`] looks for few generators and keeps the ratio of length and bound within 1 + ε, or no greater than the
+//! answer's where that is above 1 + ε; [`shortest_of_few`] keeps the number of generators within a count and looks for
+//! a small ratio, and merges nearby ones where that costs a tenth of ε at most; [`of_less_volume`] keeps neither and
+//! looks for a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is
+//! proven as before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many,
+//! is not proven: it is the best that a local search within some seconds found. What cannot be made sparser is returned
+//! as it was: one point, needles a hundred million times as long as wide, numbers near the ends of the range of
+//! doubles.
 //!
 //! # Source
 //! The problem of Section 4.3, with a question that the paper does not ask. Section 4.2 is the tool: the shortest
@@ -141,7 +141,7 @@ fn sparser<const D: usize>(
     epsilon: f64,
     slack: f64,
 ) -> MinLengthZonotope<D> {
-    if answer.value == 0.0 || answer.proof.outcome == Outcome::EndedBefore {
+    if answer.value == 0.0 {
         return answer;
     }
     let search = Search::new(points, &answer);
@@ -151,9 +151,12 @@ fn sparser<const D: usize>(
     let sparse = search
         .fewest(length, epsilon)
         .and_then(|found| search.concluded(found, &answer))
-        .filter(|sparse| sparse.ratio() <= 1.0 + epsilon);
+        .filter(|sparse| sparse.ratio() <= answer.ratio().max(1.0 + epsilon));
     match sparse {
-        Some(sparse) if is_sparser(&sparse, &answer) => sparse,
+        Some(mut sparse) if is_sparser(&sparse, &answer) => {
+            sparse.proof.outcome = outcome(&sparse, epsilon);
+            sparse
+        }
         _ => answer,
     }
 }

@@ -37,10 +37,7 @@ impl Reduced {
     pub(crate) fn whole(query: &dyn KernelQuery) -> Self {
         let mut vectors = Reused::with_capacity(query.len());
         for part in query.parts() {
-            match part.frame {
-                None => vectors.extend_from_slice(part.rows.list()),
-                Some(_) => vectors.extend(part.images()),
-            }
+            part.copy(part.rows.list(), &mut vectors);
         }
         Self {
             vectors,

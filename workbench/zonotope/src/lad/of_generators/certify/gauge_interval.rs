@@ -75,7 +75,7 @@ fn order(optimum: &RoundedOptimum, slack: f64, goal: Goal) -> Option<Ordering> {
     } else {
         return None;
     };
-    (!goal.is_gauge() || error <= value * GAUGE_ACCURACY).then_some(order)
+    (goal == Goal::Location || error <= value * GAUGE_ACCURACY).then_some(order)
 }
 
 /// `along` / `reach` with a bound for its distance from the gauge.

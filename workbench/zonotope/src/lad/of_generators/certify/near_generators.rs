@@ -1,7 +1,7 @@
 //! The generators whose sign at a vertex is not certain: those of its facet, or nearly, beside the two of the vertex.
 
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::guess::facet_coefficients::FacetPlane;
 use crate::lad::of_generators::seam::sign_pass::FixedSum;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
 use crate::numeric::linear::dot;
@@ -31,14 +31,12 @@ impl Near {
         if near.is_empty() {
             return Ok(Self { sum: fixed.bounded(), shares: Reused::new(), shared: 0.0, missing: 0.0 });
         }
-        let product = |v: &[f64; 3], dual: &BoundedVector| dot(v, &dual.map(|c| c.value));
-        let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
-        let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
+        let pair = [&level.vectors[first], &level.vectors[second]];
+        let plane = FacetPlane::of_duals(pair, duals.map(|dual| dual.map(|c| c.value)));
         let near = near.iter().map(|&place| place as usize);
         let members: Reused<usize> = near.clone().chain([first, second]).collect();
-        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
-        let target = plane(&fixed.sum).map(|c| -c);
-        let parts = facet_coefficients(&vectors, target).map_err(|place| members[place])?;
+        let generators = members.iter().map(|&i| level.vectors[i]);
+        let parts = plane.shares(generators, &fixed.sum.map(|c| -c)).map_err(|place| members[place])?;
         let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
         for (i, part) in near.clone().zip(&parts) {
             let v = level.vectors[i];

@@ -7,11 +7,47 @@
 //! sign of v_i · w for every generator but the median one, whose σ makes the sum parallel to t.
 
 use crate::lad::of_generators::guess::crossings::{Crossing, CrossingList};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::reused::Reused;
+
+/// The plane of a facet, with coordinates in terms of two of its generators.
+pub(crate) struct FacetPlane {
+    duals: [[f64; 3]; 2],
+    own: [f64; 2],
+}
+
+impl FacetPlane {
+    /// From two generators a and b, and b × w and w × a for the vector w along which the plane is looked at.
+    #[inline]
+    pub(crate) fn of_duals([a, b]: [&[f64; 3]; 2], duals: [[f64; 3]; 2]) -> Self {
+        Self { own: [dot(a, &duals[0]), dot(b, &duals[1])], duals }
+    }
+
+    /// From two generators and the vector along which the plane is looked at.
+    pub(crate) fn along(w: &[f64; 3], [a, b]: [&[f64; 3]; 2]) -> Self {
+        Self::of_duals([a, b], [cross(b, w), cross(w, a)])
+    }
+
+    fn coordinates(&self, v: &[f64; 3]) -> [f64; 2] {
+        [0, 1].map(|k| dot(v, &self.duals[k]) / self.own[k])
+    }
+
+    /// The coefficients in [−1, 1] with which generators of the facet combine to a vector, but for rounding and what
+    /// leads out of the plane; if there are none, the generator that is parallel to the edge beyond which the vector
+    /// lies.
+    pub(crate) fn shares(
+        &self,
+        generators: impl Iterator<Item = [f64; 3]>,
+        target: &[f64; 3],
+    ) -> Result<Reused<f64>, usize> {
+        let vectors: Reused<[f64; 2]> = generators.map(|v| self.coordinates(&v)).collect();
+        facet_coefficients(&vectors, self.coordinates(target))
+    }
+}
 
 /// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if t is outside the zonogon, the generator that
 /// is parallel to the edge beyond which t lies.
-pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Reused<f64>, usize> {
+fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Reused<f64>, usize> {
     let square = x * x + y * y;
     if square == 0.0 {
         return Ok(vectors.iter().map(|_| 0.0).collect());

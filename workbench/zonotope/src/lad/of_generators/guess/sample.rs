@@ -110,11 +110,7 @@ fn copy_range([first, second]: &[Part<'_>; 2], range: Range<usize>, list: &mut V
     let own = range.start.min(middle)..range.end.min(middle);
     let others = range.start.max(middle) - middle..range.end.max(middle) - middle;
     for (part, range) in [(first, own), (second, others)] {
-        let rows = &part.rows.list()[range];
-        match part.frame {
-            None => list.extend_from_slice(rows),
-            Some(_) => list.extend(rows.iter().map(|v| part.image(v))),
-        }
+        part.copy(&part.rows.list()[range], list);
     }
 }
 

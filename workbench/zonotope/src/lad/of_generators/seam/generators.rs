@@ -2,39 +2,63 @@
 //!
 //! | implementor | what it is |
 //! |---|---|
-//! | `[[f64; 3]]` | rows of a body, or a sample of them |
-//! | [`Query`] | one or two bodies, in the rows that they are stored in or, if they were prepared, in blocks |
-//! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
-//! | `collision::prepared::by_direction_tree` | one body, or two under poses, with sums of neighbouring generators |
+//! | [`Rows`] | rows of a body, or a sample of them |
+//! | [`Query`] | one or two placed bodies, in the rows that they are stored in or, if they were prepared, in blocks |
+//! | `collision::prepared::by_direction_tree` | one or two placed bodies with sums of neighbouring generators |
+//! | `collision::tracking::by_warm_kernel` | two placed bodies with sums near a direction |
 //!
 //! Every implementor consists of at most two parts, each a slice of rows with or without a matrix. A pass is written
 //! once, for a slice; where a part has a matrix, its [`Frame`] pulls the cell back before the pass and pushes the sum
 //! forward after it. Transforming the generators instead would cost memory and a rounding of each of them.
 //!
+//! Passes of the early stage are compiled for bodies at rest and for bodies under poses ([`Generators::over`]): Σ c M v
+//! is M Σ c v, and Σ w M v (M v)ᵀ is M (Σ w v vᵀ) Mᵀ. Of bodies at rest, one pass takes both runs.
+//!
 //! An implementor that knows more than its rows tell has its own way to sums over a cell, support values, a first cell
 //! and exact sums; the rows are there all the same, for the rungs that read them one by one.
 
+use std::borrow::Cow;
 use std::fmt;
+use std::ops::Range;
 
 use super::direction_cone::DirectionCone;
 use super::frame::Frame;
 use super::sign_pass::{FixedSum, Places};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::signed_sum::signed_sum;
 use crate::tally::Tally;
-use crate::zonotope::pose::Pose;
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::{Placed, Standing};
 use crate::zonotope::query::Query;
+
+/// Rows in two runs.
+pub(crate) type Runs<'a> = [Rows<'a>; 2];
+
+/// How many rows there are.
+#[inline(always)]
+pub(crate) fn count_of([first, second]: Runs<'_>) -> usize {
+    first.len() + second.len()
+}
+
+/// Results of a pass over the rows of one part that can become results for their images.
+pub(crate) trait Carried {
+    /// The result for the images of the rows, if the pass had its directions pulled back.
+    fn carried(self, frame: &Frame<'_>) -> Self;
+
+    /// The result for two parts together.
+    fn joined(self, other: Self) -> Self;
+}
 
 /// Rows, and the matrix that they are to be taken under.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Part<'a> {
     pub(crate) rows: Rows<'a>,
-    pub(crate) frame: Option<&'a Frame>,
+    pub(crate) frame: Option<Frame<'a>>,
 }
 
 /// Generators of space, in the order of their indices: those of the first part, then those of the second.
@@ -64,7 +88,63 @@ pub(crate) trait Generators: fmt::Debug + Sync {
 
     /// How far a generator in doubles is off, in terms of its length; 0 where doubles hold the generators exactly.
     fn relative_error(&self) -> f64 {
-        self.parts().iter().filter_map(|part| part.frame).map(Frame::relative_error).fold(0.0, f64::max)
+        self.parts().iter().filter_map(|part| part.frame).map(|frame| frame.relative_error()).fold(0.0, f64::max)
+    }
+
+    /// A generator in doubles with a bound of each coordinate's error.
+    #[inline(always)]
+    fn bounded_generator(&self, index: usize) -> BoundedVector {
+        bounded_generator_of(&self.parts(), index)
+    }
+
+    /// Whether no implementor of the type has a matrix, so that a pass takes both runs at once.
+    #[inline(always)]
+    fn is_fixed() -> bool
+    where
+        Self: Sized,
+    {
+        false
+    }
+
+    /// The period in which sums at some y read the octets of rows: they read the last octet of each period, and all
+    /// octets where it is 1.
+    #[inline(always)]
+    fn share() -> usize
+    where
+        Self: Sized,
+    {
+        1
+    }
+
+    /// The rows of the generators.
+    #[inline(always)]
+    fn rows(&self) -> Runs<'_> {
+        let [first, second] = self.parts();
+        [first.rows, second.rows]
+    }
+
+    /// The result of a pass over all generators, which is given their rows, the range of their indices, and the
+    /// directions as they are to be taken with these rows.
+    #[inline(always)]
+    fn over<const K: usize, T: Carried>(
+        &self,
+        directions: [&[f64; 3]; K],
+        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T
+    where
+        Self: Sized,
+    {
+        if Self::is_fixed() {
+            let runs = self.rows();
+            return pass(runs, 0..count_of(runs), directions.map(|u| *u));
+        }
+        let [first, second] = self.parts();
+        let places = first.rows.len();
+        let own = first.passed(0..places, directions, &mut pass);
+        if second.rows.is_empty() {
+            return own;
+        }
+        own.joined(second.passed(places..places + second.rows.len(), directions, &mut pass))
     }
 
     /// How many generators are likely to cross the cell of a sample of some √n: about n^(3/4) of them. Memory for more
@@ -105,6 +185,15 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         if second.rows.is_empty() { of(&first, own) } else { exact_linear::sum(&of(&first, own), &of(&second, others)) }
     }
 
+    /// Σ c v, to twice the digits of a double; one coefficient for each generator.
+    fn combined(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; 3] {
+        let [first, second] = self.parts();
+        let (own, others) = coefficients.split_at(first.rows.len());
+        let of = |part: &Part<'_>, coefficients| part.pair_image(&combined_sum(part.rows.list(), coefficients));
+        let (own, others) = (of(&first, own), of(&second, others));
+        [own[0] + others[0], own[1] + others[1], own[2] + others[2]]
+    }
+
     /// Σ sign · v over some generators alone, exactly; `terms` gives the index and the sign of each.
     fn signed_sum_of(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> ExactVector {
         if self.parts().iter().all(|part| part.frame.is_none()) {
@@ -124,8 +213,17 @@ pub(crate) trait KernelQuery: Generators {
     /// The displacement p in doubles, with a bound of each coordinate's error.
     fn rounded_displacement(&self) -> BoundedVector;
 
-    /// The query as it was put, if doubles hold its generators exactly.
-    fn as_query(&self) -> Option<Query<'_, 3>>;
+    /// The displacement in doubles at first sight: with a bound that may be larger.
+    #[inline(always)]
+    fn displacement_estimate(&self) -> BoundedVector {
+        self.rounded_displacement()
+    }
+
+    /// The displacement to twice the digits of a double.
+    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3];
+
+    /// The generators and both ends of the displacement, if doubles hold all of them; images are copied. O(n).
+    fn in_doubles(&self) -> Option<InDoubles<'_>>;
 
     /// A cell that is likely to hold the optimum, where whoever holds the generators knows more of them than a sample
     /// tells; its centre is a direction u with u · p = 1.
@@ -145,6 +243,21 @@ pub(crate) trait KernelQuery: Generators {
     }
 }
 
+/// A query as doubles hold it, at rest.
+#[derive(Debug)]
+pub(crate) struct InDoubles<'a> {
+    ends: [[f64; 3]; 2],
+    runs: [Cow<'a, [[f64; 3]]>; 2],
+}
+
+impl InDoubles<'_> {
+    /// The query.
+    #[inline]
+    pub(crate) fn query(&self) -> Query<'_, 3> {
+        Query::of_placed(Placed::of_finite(self.ends[0], &self.runs[0]), Placed::of_finite(self.ends[1], &self.runs[1]))
+    }
+}
+
 impl dyn KernelQuery + '_ {
     /// All generators in doubles, in the order of their indices.
     pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; 3]> {
@@ -161,6 +274,15 @@ pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f6
     }
 }
 
+/// The same with a bound of each coordinate's error.
+#[inline(always)]
+pub(crate) fn bounded_generator_of([first, second]: &[Part<'_>; 2], index: usize) -> BoundedVector {
+    match index.checked_sub(first.rows.len()) {
+        None => first.bounded_image(&first.rows.list()[index]),
+        Some(index) => second.bounded_image(&second.rows.list()[index]),
+    }
+}
+
 impl<'a> Part<'a> {
     /// The generators in doubles.
     #[inline]
@@ -173,7 +295,7 @@ impl<'a> Part<'a> {
     pub(crate) fn map_into<T>(&self, list: &mut impl Extend<T>, of: impl Fn(&[f64; 3]) -> T) {
         match self.frame {
             None => list.extend(self.rows.list().iter().map(of)),
-            Some(frame) => list.extend(self.rows.list().iter().map(|v| of(&frame.map().image(v)))),
+            Some(frame) => list.extend(self.rows.list().iter().map(|v| of(&frame.image(v)))),
         }
     }
 
@@ -187,7 +309,58 @@ impl<'a> Part<'a> {
 
     #[inline]
     pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
-        self.frame.map_or(*v, |frame| frame.map().image(v))
+        self.frame.map_or(*v, |frame| frame.image(v))
+    }
+
+    /// The image in doubles with a bound of each coordinate's error.
+    #[inline(always)]
+    pub(crate) fn bounded_image(&self, v: &[f64; 3]) -> BoundedVector {
+        self.frame.map_or_else(|| bounded::exact(*v), |frame| frame.bounded_image(v))
+    }
+
+    /// Writes the generators to places of their own.
+    pub(crate) fn write(&self, places: &mut [[f64; 3]]) {
+        places.copy_from_slice(self.rows.list());
+        if let Some(frame) = self.frame {
+            places.iter_mut().for_each(|v| *v = frame.image(v));
+        }
+    }
+
+    /// Adds the images of some rows to a list.
+    pub(crate) fn copy(&self, rows: &[[f64; 3]], list: &mut Vec<[f64; 3]>) {
+        match self.frame {
+            None => list.extend_from_slice(rows),
+            Some(frame) => list.extend(rows.iter().map(|v| frame.image(v))),
+        }
+    }
+
+    /// At least |M| x for magnitudes x.
+    #[inline(always)]
+    pub(crate) fn image_of_sizes(&self, x: &[f64; 3]) -> [f64; 3] {
+        self.frame.map_or(*x, |frame| frame.image_of_sizes(x))
+    }
+
+    /// A pass over the rows, its result carried over to their images.
+    #[inline(always)]
+    fn passed<const K: usize, T: Carried>(
+        &self,
+        range: Range<usize>,
+        directions: [&[f64; 3]; K],
+        pass: &mut impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T {
+        let runs = [self.rows, Rows::NONE];
+        match self.frame {
+            None => pass(runs, range, directions.map(|u| *u)),
+            Some(frame) => pass(runs, range, directions.map(|u| frame.pulled(u))).carried(&frame),
+        }
+    }
+
+    /// The images, if doubles hold them.
+    fn exact_images(&self) -> Option<Cow<'a, [[f64; 3]]>> {
+        if self.frame.is_none() {
+            return Some(self.rows.list().into());
+        }
+        self.rows.list().iter().map(|v| exact_doubles(&self.exact_image(v))).collect::<Option<Vec<_>>>().map(Cow::Owned)
     }
 
     fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
@@ -198,6 +371,11 @@ impl<'a> Part<'a> {
     /// The image of a vector that is known to twice the digits of a double.
     pub(crate) fn pair_image(&self, v: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
         self.frame.map_or(*v, |frame| frame.pair_image(v))
+    }
+
+    /// Mᵀ u to twice the digits of a double.
+    pub(crate) fn pair_pulled(&self, u: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+        self.frame.map_or(*u, |frame| frame.pair_pulled(u))
     }
 
     /// Mᵀ u, exactly: its products with the rows are those of u with the images of the rows.
@@ -229,7 +407,7 @@ impl<'a> Part<'a> {
         let old = crossing.len();
         self.rows.copy_some(&indices[first..], crossing);
         if let Some(frame) = self.frame {
-            crossing[old..].iter_mut().for_each(|v| *v = frame.map().image(v));
+            crossing[old..].iter_mut().for_each(|v| *v = frame.image(v));
         }
         if offset > 0 {
             indices[first..].iter_mut().for_each(|index| *index += offset as u32);
@@ -240,75 +418,74 @@ impl<'a> Part<'a> {
     pub(crate) fn support(&self, u: &[f64; 3]) -> Bounded {
         match self.frame {
             None => bounded_sum(self.rows, u),
-            Some(frame) => {
-                let map = frame.map();
-                bounded_sum_near(self.rows, &map.pulled(u), map.pulled_size(u))
-            }
+            Some(frame) => bounded_sum_near(self.rows, &frame.pulled(u), frame.pulled_size(u)),
         }
     }
 }
 
-impl Generators for [[f64; 3]] {
+/// An exact vector, if doubles hold it.
+fn exact_doubles(v: &ExactVector) -> Option<[f64; 3]> {
+    let rounded = v.each_ref().map(Dyadic::to_f64);
+    let is_exact = rounded.iter().zip(v).all(|(c, exact)| c.is_finite() && Dyadic::from_f64(*c) == *exact);
+    is_exact.then_some(rounded)
+}
+
+impl Generators for Rows<'_> {
+    #[inline(always)]
     fn parts(&self) -> [Part<'_>; 2] {
-        [Rows::new(self), Rows::NONE].map(|rows| Part { rows, frame: None })
+        [*self, Rows::NONE].map(|rows| Part { rows, frame: None })
+    }
+
+    #[inline(always)]
+    fn is_fixed() -> bool {
+        true
     }
 }
 
-impl Generators for Query<'_, 3> {
+impl<P: Standing> Generators for Query<'_, 3, P> {
+    #[inline(always)]
     fn parts(&self) -> [Part<'_>; 2] {
-        self.rows().map(|rows| Part { rows, frame: None })
+        let [first, second] = Query::parts(self);
+        [
+            Part { rows: first.rows(), frame: first.standing().pose().and_then(Frame::of) },
+            Part { rows: second.rows(), frame: second.standing().pose().and_then(Frame::of) },
+        ]
+    }
+
+    #[inline(always)]
+    fn is_fixed() -> bool {
+        P::IS_FIXED
     }
 }
 
-impl KernelQuery for Query<'_, 3> {
+impl<P: Standing> KernelQuery for Query<'_, 3, P> {
     fn exact(&self) -> ExactVector {
         Query::exact(self)
     }
 
+    #[inline(always)]
     fn rounded_displacement(&self) -> BoundedVector {
-        bounded::difference(self.from(), self.to())
+        Query::rounded_displacement(self)
     }
 
-    fn as_query(&self) -> Option<Query<'_, 3>> {
-        Some(*self)
-    }
-}
-
-/// A query about posed bodies with the bounds that passes under its matrices need.
-#[derive(Debug)]
-pub(crate) struct Posed<'a> {
-    query: &'a PosedQuery<'a>,
-    /// The displacement, rounded.
-    p: BoundedVector,
-    /// The matrix of each run; none for the identity.
-    frames: [Option<Frame>; 2],
-}
-
-impl<'a> Posed<'a> {
-    pub(crate) fn new(query: &'a PosedQuery<'a>) -> Self {
-        let frame = |pose: Pose| Some(Frame::new(&pose)).filter(|frame| !frame.is_identity());
-        Self { query, p: query.rounded_displacement(), frames: query.poses().map(frame) }
-    }
-}
-
-impl Generators for Posed<'_> {
-    fn parts(&self) -> [Part<'_>; 2] {
-        let [first, second] = self.frames.each_ref().map(Option::as_ref);
-        let [rows, others] = self.query.rows();
-        [Part { rows, frame: first }, Part { rows: others, frame: second }]
-    }
-}
-
-impl KernelQuery for Posed<'_> {
-    fn exact(&self) -> ExactVector {
-        self.query.displacement().clone()
+    #[inline(always)]
+    fn displacement_estimate(&self) -> BoundedVector {
+        Query::displacement_estimate(self)
     }
 
-    fn rounded_displacement(&self) -> BoundedVector {
-        self.p
+    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
+        Query::displacement_pairs(self)
     }
 
-    fn as_query(&self) -> Option<Query<'_, 3>> {
-        None
+    fn in_doubles(&self) -> Option<InDoubles<'_>> {
+        let ends = match self.at_rest() {
+            Some(query) => [query.from(), query.to()],
+            None => {
+                let [from, to] = self.ends();
+                [exact_doubles(&from)?, exact_doubles(&to)?]
+            }
+        };
+        let [first, second] = Generators::parts(self);
+        Some(InDoubles { ends, runs: [first.exact_images()?, second.exact_images()?] })
     }
 }

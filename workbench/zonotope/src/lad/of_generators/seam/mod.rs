@@ -3,8 +3,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`generators`] | what the kernel asks: rows in at most two parts, sums over a cell, support values, a likely cell |
-//! | [`frame`] | a pose between the kernel and the rows, with the bounds that a search needs |
-//! | [`linear_map`] | the matrix of a pose in doubles, and what its products may be off by |
+//! | [`frame`] | the matrix of a pose between the kernel and the rows, and what its products may be off by |
 //! | [`direction_cone`] | a cell: a cone around an ellipse or a ball, and whether a direction is in it |
 //! | [`sign_pass`] | the pass that sums up the generators whose sign is fixed in a cell |
 //! | [`direction_signs`] | the signs of the generators for an exact direction, nearly all from pairs of doubles |
@@ -13,5 +12,4 @@ pub(crate) mod direction_cone;
 pub(crate) mod direction_signs;
 pub(crate) mod frame;
 pub(crate) mod generators;
-pub(crate) mod linear_map;
 pub(crate) mod sign_pass;

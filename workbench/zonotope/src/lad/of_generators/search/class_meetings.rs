@@ -6,6 +6,7 @@ use super::narrowing::narrow;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::parallel_classes::ParallelClasses;
 use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::support::separates;
@@ -37,7 +38,7 @@ pub(crate) fn search_meetings(
     let mut is_whole = false;
     for round in 0..MEETINGS {
         let meeting = classes.meeting(chart)?;
-        if !problem.goal.is_gauge() && round == 0 {
+        if problem.goal == Goal::Location && round == 0 {
             tally.add(Operation::GeneratorRead, query.len() as u64);
             let direction = chart.point(meeting.guess.point);
             if separates(query, &problem.p, &direction) {

@@ -5,21 +5,22 @@
 use super::best_pair::{Found, PAIRS_LIMIT, steepest};
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::lanes::rows::Rows;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
 /// The generators of the vertex, by their indices; `None` where doubles find no vertex. O(n) for each line that the
 /// descent takes, of which there are few.
-pub(crate) fn likely_vertex(runs: [Rows<'_>; 2], p: &BoundedVector, tally: &mut dyn Tally) -> Option<[usize; 2]> {
-    let [first, second] = runs.map(Rows::list);
-    let n = first.len() + second.len();
+pub(crate) fn likely_vertex(query: &dyn KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<[usize; 2]> {
+    let [first, second] = query.parts();
+    let n = query.len();
     let p = [p[0].value, p[1].value, p[2].value];
     if n <= PAIRS_LIMIT {
         let mut vectors = [[0.0; 3]; PAIRS_LIMIT];
-        vectors[..first.len()].copy_from_slice(first);
-        vectors[first.len()..n].copy_from_slice(second);
+        let (own, others) = vectors[..n].split_at_mut(first.rows.len());
+        first.write(own);
+        second.write(others);
         let Found { pair, octets } = steepest(&vectors[..n], &p);
         // each eight of pairs is tried with all generators
         tally.add(Operation::GeneratorRead, n as u64 * octets as u64);
@@ -27,8 +28,8 @@ pub(crate) fn likely_vertex(runs: [Rows<'_>; 2], p: &BoundedVector, tally: &mut 
     }
     tally.add(Operation::GeneratorRead, n as u64);
     let mut vectors = Reused::with_capacity(n);
-    vectors.extend_from_slice(first);
-    vectors.extend_from_slice(second);
+    first.copy(first.rows.list(), &mut vectors);
+    second.copy(second.rows.list(), &mut vectors);
     let lines = RoundedChart::new(p).lines(&vectors);
     descend(&lines, [0.0; 2], lines.approach([0.0; 2], None))
 }

@@ -20,14 +20,13 @@ pub(crate) mod narrowing;
 
 use super::cells::nested::NestedCells;
 use super::certify::rounded_optimum::RoundedOptimum;
-use super::told::Told;
 use crate::numeric::reused::ReusedBox;
 
 /// What a search in doubles leaves.
 #[derive(Debug)]
 pub(crate) enum Searched {
-    /// A proof of the location that does without the optimum.
-    Told(Told),
+    /// Nothing: the caller ended the search at a vertex.
+    Ended,
     /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
     Certified(ReusedBox<RoundedOptimum>, NestedCells),
     /// Cells that probably hold the optimum, of which doubles cannot say more; no cells where the search has made no

@@ -106,14 +106,12 @@ pub(crate) fn narrow_last(
     if lines.len() > most_lines {
         return Err(lost);
     }
-    if problem.is_proved_first()
+    if problem.is_seen_first()
         && let Some(vertex) = descend(&lines, last.linear(chart), point)
     {
         let generators = last.indices_of(vertex);
-        if !problem.is_known(generators)
-            && let Some(told) = problem.proof_at(generators)
-        {
-            return Ok(Searched::Told(told));
+        if !problem.is_known(generators) && problem.ends_at(generators) {
+            return Ok(Searched::Ended);
         }
         point = met(&lines, vertex).unwrap_or(point);
     }

@@ -1,5 +1,6 @@
 //! What the search says of each vertical line, against the truth.
 
+use families::drawn::numbers::integer;
 use proptest::prelude::*;
 
 use super::*;
@@ -48,10 +49,6 @@ fn check(rows: &[[f64; 3]], linear: [f64; 2]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-fn lattice() -> impl Strategy<Value = f64> + Clone {
-    (-2i32..3).prop_map(f64::from)
-}
-
 proptest! {
     #![proptest_config(crate::property_cases::config(600))]
 
@@ -65,8 +62,8 @@ proptest! {
 
     #[test]
     fn steps_halve_lattice_lines(
-        rows in proptest::collection::vec([lattice(), lattice(), lattice()], 0..14),
-        linear in prop_oneof![Just([0.0, 0.0]), [lattice(), lattice()]],
+        rows in proptest::collection::vec([integer(2), integer(2), integer(2)], 0..14),
+        linear in prop_oneof![Just([0.0, 0.0]), [integer(2), integer(2)]],
     ) {
         check(&rows, linear)?;
     }

@@ -1,41 +1,43 @@
 //! Normals of an edge of each body: the facets of the difference of both that are a parallelogram of two generators.
 
 use super::super::SeparatingDirection;
-use crate::motion::arc::Arc;
-use crate::motion::quaternion::{image, polar_rotation, transposed_image};
+use super::super::gap::Stretch;
+use crate::motion::quaternion::{image, polar_rotation, sum, transposed_image};
+use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::{cross, dot};
-use crate::zonotope::Zonotope;
 
 /// The number of edges of each body that are tried.
 const EDGE_LIMIT: usize = 2;
 
-/// The normals of pairs of edges that are nearly orthogonal to a direction at the begin of a stretch, on its side.
-pub(super) fn normals<'a>(
-    bodies: [&'a Zonotope<3>; 2],
-    arcs: [&Arc<f64>; 2],
-    u: &[f64; 3],
-) -> impl Iterator<Item = SeparatingDirection> {
-    let rotations = arcs.map(|arc| polar_rotation(&arc.turns[0], &arc.turns[0]));
-    let edges = [0, 1].map(|i| orthogonal_generators(bodies[i], &transposed_image(&rotations[i], u)));
-    let direction = *u;
-    let [first, second] = edges;
+/// The least cosine of the angle between a direction and the normal of a pair of edges that is tried.
+const LEAST_COSINE: f64 = 0.75;
+
+/// The normals of pairs of edges that are nearly orthogonal to a direction in the middle of a stretch, on its side.
+pub(super) fn normals(stretch: &Stretch<'_, Bounded>, u: [f64; 3]) -> impl Iterator<Item = SeparatingDirection> {
+    let rotations = stretch.arcs.each_ref().map(|arc| {
+        let [from, to] = arc.turns.map(|q| q.map(|c| c.value));
+        let middle = sum(&from, &to);
+        polar_rotation(&middle, &middle)
+    });
+    let edges = |i: usize| orthogonal_generators(stretch.bodies[i].generators(), &transposed_image(&rotations[i], &u));
+    let (first, second) = (edges(0), edges(1));
     let pairs = first.into_iter().flat_map(move |e| second.clone().into_iter().map(move |f| [e, f]));
-    pairs.map(move |[e, f]| {
+    pairs.filter_map(move |[e, f]| {
         let normal = cross(&image(&rotations[0], &e), &image(&rotations[1], &f));
-        let e = if dot(&normal, &direction) < 0.0 { e.map(|c| -c) } else { e };
-        SeparatingDirection::Edges([e, f])
+        let along = dot(&normal, &u);
+        let is_near = along * along >= LEAST_COSINE * LEAST_COSINE * dot(&normal, &normal) * dot(&u, &u);
+        is_near.then(|| SeparatingDirection::Edges([if along < 0.0 { e.map(|c| -c) } else { e }, f]))
     })
 }
 
 /// The generators most nearly orthogonal to a direction.
-fn orthogonal_generators(body: &Zonotope<3>, direction: &[f64; 3]) -> Vec<[f64; 3]> {
+fn orthogonal_generators(generators: &[[f64; 3]], direction: &[f64; 3]) -> Vec<[f64; 3]> {
     let cosine = |g: &[f64; 3]| (dot(g, direction).abs() / dot(g, g).sqrt(), *g);
-    let mut generators: Vec<_> = body.generators().iter().map(cosine).filter(|(cosine, _)| !cosine.is_nan()).collect();
-    let limit = EDGE_LIMIT.min(generators.len());
-    if limit < generators.len() {
-        generators.select_nth_unstable_by(limit, |a, b| a.0.total_cmp(&b.0));
+    let mut nearest: Vec<_> = generators.iter().map(cosine).filter(|(cosine, _)| !cosine.is_nan()).collect();
+    if EDGE_LIMIT < nearest.len() {
+        nearest.select_nth_unstable_by(EDGE_LIMIT, |a, b| a.0.total_cmp(&b.0));
+        nearest.truncate(EDGE_LIMIT);
     }
-    generators.truncate(limit);
-    generators.sort_by(|a, b| a.0.total_cmp(&b.0));
-    generators.into_iter().map(|(_, g)| g).collect()
+    nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.into_iter().map(|(_, g)| g).collect()
 }

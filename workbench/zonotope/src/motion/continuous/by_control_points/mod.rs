@@ -12,15 +12,19 @@
 //! of curves by their control polygons, for rotations by quaternions that are linear in time.
 //!
 //! # Method
-//! 1. Take the first stretch that is not decided. Try, in turn: the direction of the stretch that it is a half of; a
-//!    direction fixed in space, in the first body, in the second body, each searched for over the control zonotopes;
-//!    the normal of the two edges most orthogonal to the last direction.
+//! 1. Take the first stretch that is not decided. Try, in turn: the directions that separate the bodies at its ends,
+//!    and the direction that proved the stretch before it; a direction fixed in space, in the first body, in the second
+//!    body, each searched for over the control zonotopes.
 //! 2. A direction proves the stretch if the six coefficients of the gap are positive: in doubles with bounds, exactly
 //!    where these are in doubt.
-//! 3. Else ask the bodies as they stand at the middle. Where they meet, and coefficients prove it for the exact
-//!    placements, everything after the middle is dropped. Both halves are stretches of their own.
-//! 4. A stretch at the end of which the bodies meet is a contact when it is as short as the resolution. One that is
-//!    shorter than [`SHORTEST_STRETCH`] and not decided is grazing.
+//! 3. Else ask the bodies as they stand at the middle. The normals of the edges that are most nearly orthogonal to the
+//!    direction that separates them there may prove the whole stretch; else its halves are stretches of their own.
+//!    Where they meet, and coefficients prove it for the exact placements, everything after the middle is dropped.
+//! 4. A stretch at the end of which the bodies meet is a contact when it is as short as the resolution. Till then the
+//!    next question is asked shortly before the gap along the last separating direction vanishes, each third time at
+//!    the middle.
+//! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing; so is one that is shorter than
+//!    [`SHORT_STRETCH`] if the bodies are as near at its middle as [`GRAZING_DISTANCE`] says.
 //!
 //! # Complexity
 //! O(n) for each stretch and each step of a search; a clearance ε takes some 1/√ε stretches at worst, and one or few
@@ -32,26 +36,51 @@
 //! # Numerics
 //! Directions are guesses; a free stretch and a contact are decided exactly. The distance of a grazing is rounded up.
 //!
+//! # Errors
+//! None: motions are finite and their times go from 0 to 1.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
-//! Dense sampling with exact queries, and the gap at rational times in exact numbers.
+//! [`brute_force`](super::brute_force): the gap at rational times in exact numbers; dense sampling with exact queries.
+//!
+//! # Example
+//! ```
+//! use zonotope::Zonotope;
+//! use zonotope::motion::{Motion, continuous::{FirstContact, first_contact}};
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! match first_contact([&cube, &other], [&right, &Motion::rest()]) {
+//!     FirstContact::Contact { time: [before, met], .. } => assert!(before < 0.5 && 0.5 <= met),
+//!     answer => panic!("{answer:?}"),
+//! }
+//! ```
 
+mod approach;
 mod control_zonotopes;
 mod edges;
 
 use self::control_zonotopes::ControlZonotopes;
 use super::gap::Stretch;
-use super::{FirstContact, FreeStretch, SeparatingDirection, meeting};
-use crate::collision::{Location, Separation, Witness};
+use super::scene::Scene;
+use super::{FirstContact, FreeStretch, SeparatingDirection, ordinary_sizes};
+use crate::collision::Witness;
 use crate::motion::Motion;
-use crate::motion::arc::Arc;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::sum_norm;
-use crate::numeric::tolerance::POSE_ROUNDING;
+use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 
 /// A stretch that is this short and not decided ends the search.
 pub const SHORTEST_STRETCH: f64 = 1.0 / (1u64 << 36) as f64;
+
+/// A stretch that is this short and not decided is looked at for grazing.
+pub const SHORT_STRETCH: f64 = 1.0 / (1u64 << 18) as f64;
+
+/// The distance at which bodies graze each other, beside the sizes of both.
+pub const GRAZING_DISTANCE: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// The resolution of a contact where none is asked for.
 pub const DEFAULT_RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
@@ -60,7 +89,7 @@ pub const DEFAULT_RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 pub const FINEST_RESOLUTION: f64 = 1.0 / (1u64 << 50) as f64;
 
 /// The number of stretches that are looked at.
-pub const STRETCH_LIMIT: usize = 1 << 16;
+pub const STRETCH_LIMIT: usize = 1 << 14;
 
 /// When two moving bodies meet first during the time from 0 to 1, a contact between two times that are not farther
 /// apart than 2^-30.
@@ -70,197 +99,229 @@ pub fn first_contact(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2]) -> FirstC
 
 /// The same with another resolution, at least [`FINEST_RESOLUTION`].
 pub fn first_contact_within(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], resolution: f64) -> FirstContact {
-    let reaches = [0, 1].map(|i| motions[i].reach(bodies[i]));
-    Search { bodies, motions, reaches, free: Vec::new() }.first_contact(resolution.max(FINEST_RESOLUTION))
+    first_contact_counted(bodies, motions, resolution, &mut ())
+}
+
+/// [`first_contact_within`], counting its operations.
+pub fn first_contact_counted(
+    bodies: [&Zonotope<3>; 2],
+    motions: [&Motion; 2],
+    resolution: f64,
+    tally: &mut dyn Tally,
+) -> FirstContact {
+    let resolution = resolution.max(FINEST_RESOLUTION);
+    ordinary_sizes::first_contact(bodies, motions, |scene| {
+        Search { scene, resolution, free: Vec::new(), open: Vec::new(), tally }.first_contact()
+    })
 }
 
 /// A stretch that is not decided yet.
 struct Open {
-    from: f64,
-    until: f64,
-    /// A direction that may prove it.
-    hint: Option<SeparatingDirection>,
+    times: [f64; 2],
+    /// Directions that separate the bodies at its ends, if they are known.
+    hints: [Option<SeparatingDirection>; 2],
     /// The proof that the bodies meet at its end, if they do.
     meets: Option<Witness>,
+    /// How often it was cut off where the gap was expected to vanish.
+    cuts: u8,
 }
 
-struct Search<'a> {
-    bodies: [&'a Zonotope<3>; 2],
-    motions: [&'a Motion; 2],
-    /// Bounds of how far from the axes the bodies reach, for rotations at constant rate.
-    reaches: [f64; 2],
+struct Search<'a, 't> {
+    scene: Scene<'a>,
+    resolution: f64,
     free: Vec<FreeStretch>,
+    /// The first stretch last.
+    open: Vec<Open>,
+    tally: &'t mut dyn Tally,
 }
 
-impl Search<'_> {
-    fn first_contact(mut self, resolution: f64) -> FirstContact {
-        if let Ok(witness) = self.at(0.0) {
-            return self.contact([0.0; 2], witness);
+impl Search<'_, '_> {
+    fn first_contact(mut self) -> FirstContact {
+        let start = match self.scene.at(0.0, self.tally) {
+            Ok(witness) => return FirstContact::Contact { free: self.free, time: [0.0; 2], witness },
+            Err(found) => found,
+        };
+        let parts = self.scene.parts();
+        let open = |times| Open { times, hints: [None; 2], meets: None, cuts: 0 };
+        self.open = parts.into_iter().rev().map(open).collect();
+        if let Some(first) = self.open.last_mut() {
+            first.hints[0] = start;
         }
-        let mut open = self.parts();
         for _ in 0..STRETCH_LIMIT {
-            let Some(Open { from, until, hint, meets }) = open.pop() else {
-                return FirstContact::Separate { free: self.free };
+            let Some(stretch) = self.open.pop() else { return FirstContact::Separate { free: self.free } };
+            self.tally.add(Operation::Stretch, 1);
+            let times = stretch.times;
+            let decided = match stretch.meets {
+                Some(_) => self.approach(stretch),
+                None => self.decide(stretch),
             };
-            let is_whole = self.motions.iter().all(|motion| motion.is_one_stretch([from, until]));
-            if is_whole && meets.is_none() {
-                if let Some(direction) = self.separates([from, until], hint) {
-                    self.free.push(FreeStretch { from, until, direction });
-                    continue;
-                }
-            }
-            let width = until - from;
-            match meets {
-                Some(witness) if width <= resolution => {
-                    return self.contact([from, until], witness);
-                }
-                None if width <= SHORTEST_STRETCH.min(resolution) => match self.at(until) {
-                    Ok(witness) => {
-                        return self.contact([from, until], witness);
-                    }
-                    Err(_) => return self.grazing([from, until]),
-                },
-                meets => {
-                    let middle = from + width / 2.0;
-                    match self.at(middle) {
-                        Ok(witness) => {
-                            open.clear();
-                            open.push(Open { from, until: middle, hint: None, meets: Some(witness) });
-                        }
-                        Err(found) => {
-                            let hint = found.or(hint);
-                            open.push(Open { from: middle, until, hint, meets });
-                            open.push(Open { from, until: middle, hint, meets: None });
-                        }
-                    }
+            match decided {
+                Decided::Not => {}
+                Decided::Grazing => return self.grazing(times),
+                Decided::Contact(witness) => {
+                    return FirstContact::Contact { free: self.free, time: times, witness };
                 }
             }
         }
-        match open.pop() {
-            Some(Open { from, until, .. }) => self.grazing([from, until]),
+        match self.open.pop() {
+            Some(Open { times, .. }) => self.grazing(times),
             None => FirstContact::Separate { free: self.free },
         }
     }
 
-    /// The stretches between times at which a part of a motion ends, the first one last.
-    fn parts(&self) -> Vec<Open> {
-        let mut times: Vec<f64> = self.motions.iter().flat_map(|motion| motion.breaks()).chain([0.0, 1.0]).collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        let parts = times.windows(2).rev();
-        parts.map(|pair| Open { from: pair[0], until: pair[1], hint: None, meets: None }).collect()
+    /// Proves a stretch, or cuts it in halves.
+    fn decide(&mut self, Open { times, hints, .. }: Open) -> Decided {
+        let [from, until] = times;
+        let stretch = self.scene.is_whole(times).then(|| self.scene.stretch(times));
+        if let Some(direction) = stretch.as_ref().and_then(|stretch| self.separates(stretch, times, &hints)) {
+            self.free.push(FreeStretch { from, until, direction });
+            return Decided::Not;
+        }
+        let width = until - from;
+        if width <= SHORTEST_STRETCH {
+            return match self.scene.at(until, self.tally) {
+                Ok(witness) if width <= self.resolution => Decided::Contact(witness),
+                _ => Decided::Grazing,
+            };
+        }
+        let middle = from + width / 2.0;
+        match self.scene.at(middle, self.tally) {
+            Ok(witness) => {
+                self.open.clear();
+                let meets = Some(witness);
+                self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets, cuts: 0 });
+            }
+            Err(found) => {
+                if let Some(direction) = stretch.and_then(|stretch| self.edges(&stretch, times, found)) {
+                    self.free.push(FreeStretch { from, until, direction });
+                    return Decided::Not;
+                }
+                if width <= SHORT_STRETCH && self.is_grazing(middle) {
+                    return Decided::Grazing;
+                }
+                self.open.push(Open { times: [middle, until], hints: [found, hints[1]], meets: None, cuts: 0 });
+                self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: None, cuts: 0 });
+            }
+        }
+        Decided::Not
+    }
+
+    /// Makes a stretch at the end of which the bodies meet shorter.
+    fn approach(&mut self, Open { times, hints, meets, cuts }: Open) -> Decided {
+        let [from, until] = times;
+        let width = until - from;
+        if width <= self.resolution {
+            return meets.map_or(Decided::Grazing, Decided::Contact);
+        }
+        let guess = if cuts % 3 < 2 { hints[0].and_then(|hint| self.guess(times, &hint)) } else { None };
+        let middle = guess.unwrap_or(from + width / 2.0);
+        let cuts = cuts.wrapping_add(1);
+        match self.scene.at(middle, self.tally) {
+            Ok(witness) => {
+                let meets = Some(witness);
+                self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets, cuts });
+            }
+            Err(found) => {
+                self.open.push(Open { times: [middle, until], hints: [found, None], meets, cuts });
+                self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: None, cuts: 0 });
+            }
+        }
+        Decided::Not
+    }
+
+    /// When the bodies may meet within a stretch, by the gap along a direction that separates them at its begin.
+    fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<f64> {
+        if !self.scene.is_whole(times) {
+            return None;
+        }
+        let stretch = self.scene.stretch(times);
+        self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(hint));
+        approach::next_time(&stretch.gap_along(hint), times, self.resolution)
     }
 
     /// A direction that proves a stretch, the first that does.
-    fn separates(&self, times: [f64; 2], hint: Option<SeparatingDirection>) -> Option<SeparatingDirection> {
-        let bounded = self.motions.map(|motion| motion.arc(times));
-        let rounded = bounded.each_ref().map(Arc::rounded);
-        let stretch = Stretch { bodies: self.bodies, arcs: bounded, margin: self.margin(times) };
-        let proves = |direction: &SeparatingDirection| self.is_proved(&stretch, times, direction);
-        if let Some(direction) = hint.filter(|direction| proves(direction)) {
-            return Some(direction);
+    fn separates(
+        &mut self,
+        stretch: &Stretch<'_, Bounded>,
+        times: [f64; 2],
+        hints: &[Option<SeparatingDirection>; 2],
+    ) -> Option<SeparatingDirection> {
+        let before = self.free.last().map(|stretch| stretch.direction);
+        let known = [hints[1], hints[0], before.filter(|before| Some(*before) != hints[0])];
+        let known = known.into_iter().flatten().find(|direction| self.proves(stretch, times, direction));
+        if known.is_some() {
+            return known;
         }
-        let ([a, b], [p, q]) = (self.bodies, rounded.each_ref());
-        let [from, to] = [p.middle_of(&a.center()), q.middle_of(&b.center())];
-        let first = [0, 1, 2].map(|k| to[k] - from[k]);
-        let in_space = ControlZonotopes::in_space([a, b], [p, q]).separating_direction(first);
-        let in_space = in_space.map(SeparatingDirection::Space).filter(|direction| proves(direction));
-        if in_space.is_some() || rounded.iter().all(|arc| arc.is_translation) {
-            return in_space;
+        let first = hints.iter().rev().flatten().find_map(|hint| match hint {
+            SeparatingDirection::Space(u) => Some(*u),
+            _ => None,
+        });
+        let first = first.unwrap_or_else(|| middle_path(stretch));
+        let found = ControlZonotopes::in_space(stretch).separating_direction(first, self.tally);
+        let found = found.map(SeparatingDirection::Space).filter(|direction| self.proves(stretch, times, direction));
+        if found.is_some() {
+            return found;
         }
-        let in_first = || ControlZonotopes::in_first([a, b], [p, q]).separating_direction(p.turned_back(&first));
-        let in_second = || {
-            let opposite = q.turned_back(&first).map(|c| -c);
-            let found = ControlZonotopes::in_first([b, a], [q, p]).separating_direction(opposite);
-            found.map(|u| u.map(|c| -c))
-        };
-        let in_first = in_first().map(SeparatingDirection::First).filter(|direction| proves(direction));
-        let in_second = || in_second().map(SeparatingDirection::Second).filter(|direction| proves(direction));
-        in_first.or_else(in_second).or_else(|| {
-            let Some(SeparatingDirection::Space(u)) = hint else { return None };
-            edges::normals(self.bodies, rounded.each_ref(), &u).find(|direction| proves(direction))
+        [0, 1].into_iter().find_map(|own| {
+            let arc = &stretch.arcs[own];
+            // of a body that only translates, the frame is that of space
+            if arc.is_translation {
+                return None;
+            }
+            let sign = [1.0, -1.0][own];
+            let first = arc.rounded().turned_back(&first).map(|c| sign * c);
+            let u = ControlZonotopes::in_frame(stretch, own).separating_direction(first, self.tally)?;
+            let direction = match own {
+                0 => SeparatingDirection::First(u),
+                _ => SeparatingDirection::Second(u.map(|c| -c)),
+            };
+            self.proves(stretch, times, &direction).then_some(direction)
         })
     }
 
-    /// Whether a direction proves a stretch: in doubles with bounds, or exactly where no coefficient is negative for
-    /// certain.
-    fn is_proved(&self, stretch: &Stretch<'_, Bounded>, times: [f64; 2], direction: &SeparatingDirection) -> bool {
-        let bound = stretch.gap_along(direction);
-        if bound.iter().all(|c| c.is_positive()) {
-            return true;
+    /// The normal of two edges that proves a stretch, by the direction that separates the bodies at its middle.
+    fn edges(
+        &mut self,
+        stretch: &Stretch<'_, Bounded>,
+        times: [f64; 2],
+        found: Option<SeparatingDirection>,
+    ) -> Option<SeparatingDirection> {
+        let Some(SeparatingDirection::Space(u)) = found else { return None };
+        if stretch.arcs.iter().all(|arc| arc.is_translation) {
+            return None;
         }
-        // a bound that is infinite or NaN says nothing
-        let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
-        if bound.iter().any(is_refuted) || !stretch.margin.is_finite() {
-            return false;
-        }
-        let arcs = self.motions.map(|motion| motion.exact_arc(times));
-        Stretch::<Dyadic> { bodies: self.bodies, arcs, margin: stretch.margin }.is_separated_by(direction)
+        edges::normals(stretch, u).find(|direction| self.proves(stretch, times, direction))
     }
 
-    /// A bound of how far points of both bodies together are off their places on a stretch.
-    fn margin(&self, times: [f64; 2]) -> f64 {
-        let off = [0, 1].map(|i| match self.motions[i].angle_off(times) {
-            0.0 => 0.0,
-            angle => (angle * self.reaches[i]).next_up(),
-        });
-        (off[0] + off[1]).next_up() * f64::from(u8::from(off != [0.0; 2]))
+    fn proves(&mut self, stretch: &Stretch<'_, Bounded>, times: [f64; 2], direction: &SeparatingDirection) -> bool {
+        self.scene.is_proved(stretch, times, direction, self.tally)
     }
 
-    /// The proof that the bodies meet at a time, or else a direction that separates them as they are rounded then.
-    fn at(&self, time: f64) -> Result<Witness, Option<SeparatingDirection>> {
-        let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return Err(None) };
-        let [a, b] = self.bodies;
-        match a.at(&p).intersection(b.at(&q)) {
-            Location::Outside(Separation::Rounded(u)) => Err(Some(SeparatingDirection::Space(u))),
-            Location::Outside(Separation::Exact(_)) => Err(None),
-            Location::Inside(witness) | Location::Boundary(witness) => {
-                if self.is_meeting(time, &witness) {
-                    return Ok(witness);
-                }
-                let arcs = self.motions.map(|motion| motion.arc([time; 2]).rounded());
-                let completed = meeting::completed(self.bodies, arcs.each_ref(), witness);
-                completed.filter(|witness| self.is_meeting(time, witness)).ok_or(None)
-            }
-        }
-    }
-
-    fn is_meeting(&self, time: f64, witness: &Witness) -> bool {
-        let times = [time; 2];
-        let [p, q] = self.motions.map(|motion| motion.arc(times));
-        let angles_off = self.motions.map(|motion| motion.angle_off(times));
-        let margin = self.margin(times);
-        if meeting::is_certain(self.bodies, [&p, &q], witness, angles_off, margin) {
-            return true;
-        }
-        let [p, q] = self.motions.map(|motion| motion.exact_arc(times));
-        margin == 0.0 && angles_off == [0.0; 2] && meeting::is_proved(self.bodies, [&p, &q], witness)
-    }
-
-    /// The answer where the bodies meet at the second time.
-    fn contact(self, time: [f64; 2], witness: Witness) -> FirstContact {
-        let arcs = self.motions.map(|motion| motion.exact_arc([time[1]; 2]));
-        let witness = meeting::with_nearest_basis(self.bodies, arcs.each_ref(), witness);
-        FirstContact::Contact { free: self.free, time, witness }
+    /// Whether the bodies are so near at a time that finer stretches would tell little.
+    fn is_grazing(&mut self, time: f64) -> bool {
+        let size: f64 = self.scene.bodies.iter().map(|body| body.magnitude()).sum();
+        self.scene.distance_at_most(time, self.tally) <= GRAZING_DISTANCE * size
     }
 
     /// The answer where a stretch is not decided.
     fn grazing(self, time: [f64; 2]) -> FirstContact {
-        let distance_at_most = self.distance_at_most(time[1]).filter(|distance| !distance.is_nan());
-        let distance_at_most = distance_at_most.unwrap_or(f64::INFINITY);
+        let distance_at_most = self.scene.distance_at_most(time[1], self.tally);
         FirstContact::Grazing { free: self.free, time, distance_at_most }
     }
+}
 
-    /// A bound above the distance of the bodies at a time: that of the rounded placements, and by how much rounding
-    /// and a rotation at constant rate put them off.
-    fn distance_at_most(&self, time: f64) -> Option<f64> {
-        let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return None };
-        let [a, b] = self.bodies;
-        let distance = a.at(&p).distance(b.at(&q));
-        let size = [(a, p), (b, q)].map(|(body, pose)| {
-            let generators: f64 = body.generators().iter().map(sum_norm).sum();
-            generators + sum_norm(&body.center()) + sum_norm(&pose.translation())
-        });
-        Some((distance + POSE_ROUNDING * (size[0] + size[1]) + self.margin([time; 2])).next_up())
-    }
+/// What became of a stretch.
+enum Decided {
+    /// It is proved, or cut in pieces.
+    Not,
+    /// The bodies meet at its end, and it is short enough.
+    Contact(Witness),
+    /// Neither was proved.
+    Grazing,
+}
+
+/// The path between the centres of the bodies at the middle of a stretch.
+fn middle_path(stretch: &Stretch<'_, Bounded>) -> [f64; 3] {
+    let [from, to] = [0, 1].map(|i| stretch.arcs[i].rounded().middle_of(&stretch.bodies[i].center()));
+    [0, 1, 2].map(|k| to[k] - from[k])
 }

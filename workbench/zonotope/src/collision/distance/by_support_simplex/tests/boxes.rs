@@ -153,12 +153,11 @@ fn reported() -> Vec<Reported> {
 }
 
 /// The exact lower bound of the distance that a direction proves: the square of (u · p − h(u)) / |u|.
-fn proved_square(query: &PosedQuery<'_>, direction: &[Dyadic; 3]) -> Rational {
-    let posed = Posed::new(query);
+fn proved_square(query: &Query<'_, 3, Pose>, direction: &[Dyadic; 3]) -> Rational {
     let generators =
-        (0..query.len()).map(|i| crate::lad::of_generators::seam::generators::Generators::exact_generator(&posed, i));
+        (0..query.len()).map(|i| crate::lad::of_generators::seam::generators::Generators::exact_generator(query, i));
     let reach = generators.fold(Dyadic::zero(), |sum, g| sum + dot(&g, direction).abs());
-    let along = dot(query.displacement(), direction) - reach;
+    let along = dot(&query.exact(), direction) - reach;
     assert!(along.sign().is_gt());
     (&along * &along).to_rational() / dot(direction, direction).to_rational()
 }
@@ -172,7 +171,7 @@ fn reported_poses_are_answered_with_proof() {
         let answer = a.at(&pose).proximity(b.at(&other));
         assert_eq!(answer.status(), a.at(&pose).intersection(b.at(&other)).status(), "{name}");
         if let Some(gap) = answer.gap() {
-            let query = PosedQuery::between((&a, &pose), (&b, &other));
+            let query = Query::of_placed(a.at(&pose), b.at(&other));
             assert_eq!(proved_square(&query, gap.exact_direction()), gap.exact_squared_distance(), "{name}");
             // the points are on the boxes and as far apart as the distance, but for rounding
             let [x, y] = gap.points;

@@ -60,13 +60,13 @@ use self::polytope::Polytope;
 use self::precision::{InDoubles, Listed, Precision};
 use super::Penetration;
 use crate::collision::Location;
-use crate::collision::by_lad::{locate_counted, locate_posed_counted};
-use crate::lad::of_generators::seam::generators::{KernelQuery, Posed};
+use crate::collision::by_lad::locate_counted;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
 /// By how much the bounds may differ, in terms of the upper one.
@@ -87,22 +87,14 @@ const EXACT_VERTEX_LIMIT: usize = 1 << 12;
 const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
-pub fn penetration(query: &Query<'_, 3>) -> Penetration<3> {
+pub fn penetration<P: Standing>(query: &Query<'_, 3, P>) -> Penetration<3> {
     penetration_counted(query, &mut ())
 }
 
 /// [`penetration`], counting its operations.
-pub fn penetration_counted(query: &Query<'_, 3>, tally: &mut dyn Tally) -> Penetration<3> {
+pub fn penetration_counted<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
     match locate_counted(query, tally) {
         Location::Inside(_) => of_inner_point(query, tally),
-        Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
-    }
-}
-
-/// How deep the displacement of a query under poses lies in the zonotope.
-pub fn penetration_posed(query: &PosedQuery<'_>) -> Penetration<3> {
-    match locate_posed_counted(query, &mut ()) {
-        Location::Inside(_) => of_inner_point(&Posed::new(query), &mut ()),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
     }
 }

@@ -11,6 +11,7 @@ use crate::collision::prepared::by_cutting::filtered::{Filtered, Vector, sign_of
 use crate::collision::prepared::by_cutting::structure::boundary::Normal;
 use crate::collision::prepared::by_cutting::structure::tree::{Cut, Place, SUM_STEP, Tree};
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
@@ -98,6 +99,11 @@ impl Vector for Gradient<'_> {
     fn rounded(&self) -> BoundedVector {
         let sums = &self.circle.tree.sums;
         self.circle.sum_of_gap(self.gap, |sum| sums.rounded(sum), Bounded::exact)
+    }
+
+    fn wide(&self) -> [BoundedWide; 3] {
+        let sums = &self.circle.tree.sums;
+        self.circle.sum_of_gap(self.gap, |sum| sums.wide(sum), BoundedWide::exact)
     }
 
     fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {

@@ -6,6 +6,7 @@
 use crate::arrangement::cutting::{self, Wall};
 use crate::collision::prepared::by_cutting::filtered::Vector;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
@@ -75,6 +76,20 @@ impl Vector for Normal {
                     Some(sign) if sign < 0 => [z.negated(), Bounded::exact(0.0), x],
                     Some(_) => [z, Bounded::exact(0.0), x.negated()],
                     None => self.in_pairs().map(|c| c.rounded()),
+                }
+            }
+        }
+    }
+
+    fn wide(&self) -> [BoundedWide; 3] {
+        match self {
+            Self::Doubles(v) => v.wide(),
+            Self::OfWall(pair) => {
+                let [x, _, z] = cross(&pair[0].wide(), &pair[1].wide());
+                match z.sign() {
+                    Some(sign) if sign < 0 => [z.negated(), BoundedWide::exact(0.0), x],
+                    Some(_) => [z, BoundedWide::exact(0.0), x.negated()],
+                    None => self.exact().wide(),
                 }
             }
         }

@@ -11,8 +11,9 @@ use super::tree::{Condition, Cut, Place, SUM_STEP, Step, Trapezoid, Tree};
 use super::turning_order::turning_order;
 use crate::arrangement::cutting::{self, Cutting, Part, SearchStep};
 use crate::arrangement::dual::DualArrangement;
+use crate::collision::prepared::by_cutting::filtered::{Filtered, sign_of_product};
 use crate::numeric::double_double::DoubleDoubleDirection;
-use crate::numeric::exact_linear::{ExactVector, dot, exact, sum};
+use crate::numeric::exact_linear::{ExactVector, exact, sum};
 use crate::numeric::signed_sum::signed_sum;
 use crate::tally::Tally;
 
@@ -121,12 +122,13 @@ impl Builder<'_> {
     fn others(&self, others: &ExactVector, whole: &[u32], part: &[u32], frame: &Frame) -> ExactVector {
         let direction = frame.inner_direction(self.generators);
         let rounded = DoubleDoubleDirection::of(&direction);
+        let direction = Filtered::new(direction);
         let mut kept = part.iter().peekable();
         let left_over = whole.iter().filter(|index| kept.next_if_eq(index).is_none());
         let signed = left_over.map(|&index| {
             let v = self.generators[index as usize];
-            let exactly = || dot(&exact(v), &direction).sign() as i8;
-            (v, rounded.certain_sign(&v).unwrap_or_else(exactly))
+            let decided = || sign_of_product(&Filtered::new(v), &direction) as i8;
+            (v, rounded.certain_sign(&v).unwrap_or_else(decided))
         });
         sum(others, &signed_sum(signed))
     }

@@ -5,6 +5,7 @@
 //! query is known to be so.
 
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
@@ -69,6 +70,14 @@ impl Sums {
         match self {
             Self::Pairs(list) => list[index].map(|[head, tail]| Bounded { value: head, error: tail.abs() }),
             Self::Long(_) => self.in_pairs(index).map(|c| c.rounded()),
+        }
+    }
+
+    /// A vector in doubles with bounds and an exponent of their own.
+    pub(crate) fn wide(&self, index: usize) -> [BoundedWide; 3] {
+        match self {
+            Self::Pairs(list) => list[index].map(BoundedWide::of_sum),
+            Self::Long(list) => list[index].each_ref().map(BoundedWide::of),
         }
     }
 

@@ -1,0 +1,7 @@
+//! Methods that are here only to be raced against the library's own: none of them proves what it answers.
+//!
+//! | problem | method | it is raced in |
+//! |---|---|---|
+//! | membership and intersection | [`by_gjk`], as physics engines do it | `wrong-answers`, `collision-scaling`, the peers |
+
+pub mod by_gjk;

@@ -1,0 +1,164 @@
+//! What a body of space is asked where it stands: under a pose, or prepared. A moved body keeps its generators: the pose
+//! is part of the question, and exact like it.
+
+use crate::collision::by_lad::{locate, nearest_gauge};
+use crate::collision::distance::penetration::{Penetration, by_inner_polytope};
+use crate::collision::distance::{Proximity, by_support_simplex};
+use crate::numeric::non_finite::NonFinite;
+use crate::zonotope::location::{Gauge, Location};
+use crate::zonotope::placed::{Placed, Standing};
+use crate::zonotope::prepared::PreparedBody;
+use crate::zonotope::query::Query;
+
+impl<'a, P: Standing> Placed<'a, 3, P> {
+    /// Whether a point lies in the closed body, exactly. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
+        Ok(locate(&Query::of_point_in(point, *self)?).is_member())
+    }
+
+    /// Where a point lies relative to the body, with a proof in coefficients of the generators as they are stored, or a
+    /// direction. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
+        let query = Query::of_point_in(point, *self)?;
+        Ok(locate(&query).with_nearest_basis(&query))
+    }
+
+    /// How many times the body must be taken, from its centre, to hold a point. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
+        Ok(nearest_gauge(&Query::of_point_in(point, *self)?))
+    }
+
+    /// Whether two closed bodies have a point in common where they stand, exactly. O(n) expected.
+    pub fn intersects<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> bool {
+        locate(&self.query(other.into())).is_member()
+    }
+
+    /// How two bodies meet where they stand, with a proof. O(n) expected.
+    pub fn intersection<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Location<3> {
+        let query = self.query(other.into());
+        locate(&query).with_nearest_basis(&query)
+    }
+
+    /// The Euclidean distance of two closed bodies where they stand, 0 where they meet; within two units in the last
+    /// place. The cost is that of [`proximity`](Self::proximity).
+    pub fn distance<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> f64 {
+        by_support_simplex::proximity(&self.query(other.into())).distance()
+    }
+
+    /// How near two closed bodies are where they stand, exactly for the poses as they are given. Expected O(n) for each
+    /// of a few steps.
+    pub fn proximity<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Proximity<3> {
+        let query = self.query(other.into());
+        by_support_simplex::proximity(&query).with_nearest_basis(&query)
+    }
+
+    /// How deep two bodies overlap where they stand, within a hundredth. O(n) for each of some ten to some hundred
+    /// vertices.
+    pub fn penetration<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Penetration<3> {
+        by_inner_polytope::penetration(&self.query(other.into()))
+    }
+
+    fn query<'q>(&self, other: Placed<'q, 3, P>) -> Query<'q, 3, P>
+    where
+        'a: 'q,
+    {
+        Query::of_placed(*self, other)
+    }
+}
+
+impl PreparedBody {
+    /// Whether a point lies in the closed body, exactly. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
+        self.placed().contains(point)
+    }
+
+    /// Where a point lies relative to the body, with a proof. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
+        self.placed().locate(point)
+    }
+
+    /// How many times the body must be taken, from its centre, to hold a point. O(n) expected.
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
+    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
+        self.placed().gauge(point)
+    }
+
+    /// Whether two closed bodies have a point in common, exactly; the other one may be prepared or not. O(n) expected.
+    pub fn intersects<'b>(&self, other: impl Into<Placed<'b>>) -> bool {
+        self.placed().intersects(other)
+    }
+
+    /// How two bodies meet, with a proof. O(n) expected.
+    pub fn intersection<'b>(&self, other: impl Into<Placed<'b>>) -> Location<3> {
+        self.placed().intersection(other)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Status;
+    use crate::zonotope::Zonotope;
+    use crate::zonotope::pose::Pose;
+
+    fn cube() -> Zonotope<3> {
+        Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite")
+    }
+
+    #[test]
+    fn a_turned_square_prism_meets_its_neighbour_at_the_edge() {
+        let cube = cube();
+        // (x, y) to (x − y, x + y): the square [−1, 1]² becomes the diamond |x| + |y| ≤ 2
+        let turned = Pose::new([[1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]).expect("finite");
+        let diamond = cube.at(&turned);
+        assert_eq!(diamond.contains([1.5, 0.5, 0.0]), Ok(true));
+        assert_eq!(diamond.contains([1.5, 0.75, 0.0]), Ok(false));
+        assert_eq!(diamond.locate([2.0, 0.0, 0.0]).map(|location| location.status()), Ok(Status::Boundary));
+        let gauge = diamond.gauge([3.0, 1.0, 0.0]).expect("finite");
+        assert!((gauge.value - 2.0).abs() <= gauge.error);
+        assert!(diamond.contains([0.0, f64::NAN, 0.0]).is_err());
+        for (x, status) in [(2.5, Status::Inside), (3.0, Status::Boundary), (3.0f64.next_up(), Status::Outside)] {
+            let neighbour = cube.translated([x, 0.0, 0.0]).expect("finite");
+            let moved = Pose::from_translation([x, 0.0, 0.0]).expect("finite");
+            assert_eq!(diamond.intersection(&neighbour).status(), status);
+            assert_eq!(diamond.intersection(cube.at(&moved)).status(), status);
+            assert_eq!(diamond.intersects(&neighbour), status != Status::Outside);
+        }
+        assert!(std::ptr::eq(diamond.generators(), cube.generators()) && *diamond.standing() == turned);
+    }
+
+    #[test]
+    fn a_prepared_cube_answers_as_a_cube_does() {
+        let cube = cube();
+        let prepared = PreparedBody::new(cube.clone());
+        for (factor, status) in [(0.5, Status::Inside), (1.0, Status::Boundary), (1.5, Status::Outside)] {
+            let point = [0.25, 0.25, factor];
+            assert_eq!(prepared.locate(point).map(|location| location.status()), Ok(status));
+            assert_eq!(prepared.contains(point), Ok(factor <= 1.0));
+            assert_eq!(prepared.gauge(point), cube.gauge(point));
+            let other = cube.translated(point.map(|c| 2.0 * c)).expect("finite");
+            assert_eq!(prepared.intersection(&other), cube.intersection(&other));
+            assert_eq!(prepared.intersects(&PreparedBody::new(other.clone())), factor <= 1.0);
+            let moved = Pose::from_translation(other.center()).expect("finite");
+            assert_eq!(prepared.intersects(&other), prepared.at(&moved).intersects(&prepared));
+        }
+        assert!(prepared.contains([f64::NAN, 0.0, 0.0]).is_err() && prepared.locate([f64::INFINITY; 3]).is_err());
+    }
+}

@@ -1,0 +1,84 @@
+//! How fast a body turns on a stretch, and how far its points are from the axis: bounds in doubles.
+//!
+//! q(s) = (1 − s) q0 + s q1 turns about one axis by twice the angle between the quaternions. The rate is
+//! ω = 2 |q0| |q1| sin φ / |q|², φ the angle between q0 and q1, and its change is ω (|q|²)' / |q|², where (|q|²)' is
+//! linear in s: greatest at an end.
+//!
+//! All bounds are made larger by [`RATE_ROUNDING`](crate::numeric::tolerance::RATE_ROUNDING), which exceeds the
+//! roundings of a body of fewer than 2^20 generators.
+
+use super::body::Body;
+use crate::motion::arc::Arc;
+use crate::motion::quaternion::{composition, conjugate};
+use crate::numeric::linear::{cross, dot, euclidean_norm};
+use crate::numeric::tolerance::RATE_ROUNDING;
+
+/// A body that turns about an axis and whose base goes along a segment, for s from 0 to 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rates {
+    /// A unit vector of the axis in space; zero where nothing turns.
+    pub(super) axis: [f64; 3],
+    /// The angle of the stretch.
+    pub(super) angle: f64,
+    /// The largest rate of the angle.
+    pub(super) rate: f64,
+    /// The largest change of that rate.
+    pub(super) change: f64,
+    /// Σ |v⊥| over the generators, and |c⊥| of the centre from the base.
+    pub(super) reach: f64,
+    /// How far the base goes.
+    pub(super) travel: [f64; 3],
+}
+
+impl Rates {
+    pub(super) fn of(arc: &Arc<f64>, body: &Body<'_>) -> Self {
+        let [from, to] = &arc.turns;
+        let [x, y, z] = [0, 1, 2].map(|k| (arc.base[1][k] - arc.base[0][k]) / arc.weight);
+        let still = Self { axis: [0.0; 3], angle: 0.0, rate: 0.0, change: 0.0, reach: 0.0, travel: [x, y, z] };
+        if arc.is_translation {
+            return still;
+        }
+        // the turn in space is q1 q0⁻¹, in the body's frame q0⁻¹ q1
+        let [w, axis_x, axis_y, axis_z] = composition(to, &conjugate(from));
+        let [_, own_x, own_y, own_z] = composition(&conjugate(from), to);
+        let (axis, own) = ([axis_x, axis_y, axis_z], [own_x, own_y, own_z]);
+        let sine = euclidean_norm(&axis);
+        if sine == 0.0 {
+            return still;
+        }
+        let unit = |v: [f64; 3]| {
+            let length = euclidean_norm(&v);
+            v.map(|c| c / length)
+        };
+        let step: [f64; 4] = std::array::from_fn(|k| to[k] - from[k]);
+        let (at_begin, at_end) = (dot(from, &step), dot(to, &step));
+        let least = if at_begin < 0.0 && at_end > 0.0 {
+            sine * sine / dot(&step, &step)
+        } else {
+            dot(from, from).min(dot(to, to))
+        };
+        let rate = 2.0 * sine / least * RATE_ROUNDING;
+        let change = rate * 2.0 * at_begin.abs().max(at_end.abs()) / least * RATE_ROUNDING;
+        let own = unit(own);
+        let off_axis = |v: &[f64; 3]| euclidean_norm(&cross(&own, v));
+        let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
+        let reach = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
+        let size = body.magnitude() + arm.iter().map(|c| c.abs()).sum::<f64>();
+        let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0) * size;
+        Self { axis: unit(axis), angle: 2.0 * libm::atan2(sine, w), rate, change, reach, travel: still.travel }
+    }
+
+    /// How fast a point of the body goes along a unit direction beside the base, at most.
+    pub(super) fn speed_along(&self, u: &[f64; 3]) -> f64 {
+        self.rate * self.reach * self.off_axis(u)
+    }
+
+    /// The largest second derivative of the place of a point along a unit direction, summed up over the generators.
+    pub(super) fn bend_along(&self, u: &[f64; 3]) -> f64 {
+        (self.rate * self.rate + self.change) * self.reach * self.off_axis(u)
+    }
+
+    fn off_axis(&self, u: &[f64; 3]) -> f64 {
+        euclidean_norm(&cross(&self.axis, u)) + (RATE_ROUNDING - 1.0)
+    }
+}

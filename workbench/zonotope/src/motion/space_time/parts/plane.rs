@@ -1,0 +1,127 @@
+//! The axis of a rotation and two directions that span the plane orthogonal to it.
+
+use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, cross, exact};
+use crate::numeric::linear::euclidean_norm;
+use crate::numeric::tolerance::{ROUNDED_UNIT_VECTOR, SMALLEST};
+
+/// The axis a, and f and g = a × f orthogonal to it: a right-handed frame.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Plane {
+    /// f and g, exactly.
+    pub(in super::super) directions: [ExactVector; 2],
+    /// Lower bounds of their lengths.
+    pub(in super::super) lengths: [f64; 2],
+    /// The unit vectors of a, f and g; a coordinate that is exactly zero has no error.
+    units: [BoundedVector; 3],
+}
+
+impl Plane {
+    /// The plane orthogonal to an axis that is not zero.
+    pub(in super::super) fn orthogonal_to(axis: [f64; 3]) -> Self {
+        let axis = shortened(&exact(axis));
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &k| axis[k].clone().abs().cmp(&axis[i].clone().abs()));
+        // (a_i, a_k) turned by a quarter, of the two largest coordinates: no coordinate of g cancels
+        let mut first = [const { None }; 3];
+        first[order[0]] = Some(-axis[order[1]].clone());
+        first[order[1]] = Some(axis[order[0]].clone());
+        let first = shortened(&first.map(|c| c.unwrap_or_else(Dyadic::zero)));
+        let second = shortened(&cross(&axis, &first));
+        let [a, f, g] = [&axis, &first, &second].map(unit);
+        Self { directions: [first, second], lengths: [f.1, g.1], units: [a.0, f.0, g.0] }
+    }
+
+    /// The coordinates of a vector along a, f and g.
+    pub(in super::super) fn coordinates(&self, v: &BoundedVector) -> [Bounded; 3] {
+        self.units.each_ref().map(|unit| products([0, 1, 2].map(|k| (unit[k], v[k]))))
+    }
+
+    /// The vector of coordinates.
+    pub(in super::super) fn vector(&self, coordinates: &[Bounded; 3]) -> BoundedVector {
+        [0, 1, 2].map(|k| products([0, 1, 2].map(|i| (self.units[i][k], coordinates[i]))))
+    }
+}
+
+/// The vector over a power of two, so that its largest coordinate is about 1; one along a coordinate axis over its
+/// length.
+fn shortened(v: &ExactVector) -> ExactVector {
+    let exponent = v.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+    if v.iter().filter(|c| !c.is_zero()).count() == 1 {
+        return v.each_ref().map(|c| match c.sign() {
+            std::cmp::Ordering::Less => -Dyadic::one(),
+            std::cmp::Ordering::Equal => Dyadic::zero(),
+            std::cmp::Ordering::Greater => Dyadic::one(),
+        });
+    }
+    v.each_ref().map(|c| c.clone().scaled(-exponent))
+}
+
+/// The unit vector of a vector with a largest coordinate of about 1, and a lower bound of its length.
+fn unit(v: &ExactVector) -> (BoundedVector, f64) {
+    let values = v.each_ref().map(Dyadic::to_f64);
+    if v.iter().filter(|c| !c.is_zero()).count() == 1 {
+        return (values.map(Bounded::exact), 1.0);
+    }
+    let length = euclidean_norm(&values);
+    let coordinate = |k: usize| {
+        let value = values[k] / length;
+        let error = if v[k].is_zero() { 0.0 } else { ROUNDED_UNIT_VECTOR * value.abs() + SMALLEST };
+        Bounded { value, error }
+    };
+    ([0, 1, 2].map(coordinate), length * (1.0 - ROUNDED_UNIT_VECTOR))
+}
+
+/// The sum of products, in which factors that are exactly zero leave no error.
+fn products(factors: [(Bounded, Bounded); 3]) -> Bounded {
+    let is_zero = |number: &Bounded| number.value == 0.0 && number.error == 0.0;
+    let terms = factors.into_iter().filter(|(a, b)| !is_zero(a) && !is_zero(b)).map(|(a, b)| a * b);
+    terms.reduce(|sum, term| sum + term).unwrap_or(Bounded::exact(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::exact_linear::dot;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_coordinate_axis_has_an_exact_frame() {
+        let plane = Plane::orthogonal_to([0.0, 0.0, -3e-200]);
+        let [a, f, g] = plane.units.map(|unit| unit.map(|c| (c.value, c.error)));
+        let zero = (0.0, 0.0);
+        assert_eq!((a[2], plane.lengths), ((-1.0, 0.0), [1.0, 1.0]));
+        assert!([f, g].iter().all(|unit| unit[2] == zero && unit.iter().filter(|c| **c == zero).count() == 2));
+    }
+
+    proptest! {
+        #[test]
+        fn directions_are_orthogonal_and_units_are_near(
+            axis in [-1.0..1.0f64, -1.0..1.0f64, 1.0..2.0f64], exponents in [-300i32..300, -300i32..300, -300i32..300]
+        ) {
+            let axis = [0, 1, 2].map(|k| axis[k] * libm::exp2(f64::from(exponents[k])));
+            let plane = Plane::orthogonal_to(axis);
+            let [f, g] = &plane.directions;
+            let a = exact(axis);
+            prop_assert!(dot(&a, f).is_zero() && dot(&a, g).is_zero() && dot(f, g).is_zero());
+            for (direction, length) in [(f, plane.lengths[0]), (g, plane.lengths[1])] {
+                let below = Dyadic::from_f64(length);
+                let square = dot(direction, direction);
+                prop_assert!(&below * &below <= square);
+                prop_assert!(square.to_f64() <= length * length * (1.0 + 1e-13));
+            }
+            for (unit, direction) in plane.units.iter().skip(1).zip(&plane.directions) {
+                // |unit·|d| − d| ≤ error·|d|, checked by squares
+                let square = dot(direction, direction);
+                for k in 0..3 {
+                    let [low, high] = [unit[k].value - unit[k].error, unit[k].value + unit[k].error];
+                    let squared = &direction[k] * &direction[k];
+                    let [near, far] = [low.abs().min(high.abs()).next_down().max(0.0), low.abs().max(high.abs()).next_up()]
+                        .map(Dyadic::from_f64);
+                    prop_assert!(&(&near * &near) * &square <= squared && squared <= &(&far * &far) * &square);
+                }
+            }
+        }
+    }
+}
