@@ -121,7 +121,8 @@ impl Turning {
     fn turned(&self, time: &IBig, places: usize) -> Quaternion {
         let [sine, cosine] = self.quarter.sine_and_cosine(&(time * &self.angle), places + self.angle_places + 1);
         let cosine = (cosine >> (SINE_PLACES - END_PLACES)) << self.axis_bits;
-        let along = (sine << (self.axis_bits + self.length_places)) / &self.length >> (SINE_PLACES - END_PLACES);
+        let along = (sine << (self.axis_bits + self.length_places)) / &self.length;
+        let along = along >> (SINE_PLACES - END_PLACES);
         let [x, y, z] = multiple(&along, &self.axis);
         [cosine, x, y, z]
     }
