@@ -174,8 +174,7 @@ fn thin_slabs_that_are_crossed_at_a_flat_angle_are_met() {
     meets_at(&second, (328.0 - 0.5 - 287.0) / 111.0);
 }
 
-/// A cuboid of 10 × 15 × 5, slightly turned, that is let down on another: where a cast stopped it, it overlapped (rapier
-/// 434).
+/// A cuboid of 10 × 15 × 5, slightly turned, is let down on another: at the time of a cast it overlapped (rapier 434).
 #[test]
 fn a_turned_cuboid_is_free_until_the_time_that_is_told() {
     let lower = cuboid([0.0; 3], [5.0, 7.5, 2.5]);
@@ -211,8 +210,8 @@ fn a_cuboid_that_turns_into_a_resting_one_meets_it() {
     }
 }
 
-/// A link that lies nearly flat and swings by almost 180° to lie flat on the other side: the hull of both end poses does
-/// not hold what it sweeps (MoveIt 2889).
+/// A link that lies nearly flat and swings by almost 180° to lie flat on the other side: the hull of both end poses
+/// does not hold what it sweeps (MoveIt 2889).
 #[test]
 fn a_swinging_link_meets_what_stands_above() {
     let link = cuboid([1.0, 0.0, 0.0], [1.0, 0.05, 0.05]);

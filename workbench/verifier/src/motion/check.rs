@@ -1,8 +1,8 @@
 //! Answers to "when do two moving zonotopes of space meet first".
 //!
 //! The intervals without contact follow each other from 0 to 1, or to where the contact or the doubt begins; in each a
-//! direction separates the bodies at every time. At the end of a contact coefficients prove a common point; at that of a
-//! grazing the nearest points are found.
+//! direction separates the bodies at every time. At the end of a contact coefficients prove a common point; at that of
+//! a grazing the nearest points are found.
 
 use super::answer::{Encounter, FirstContactAnswer, FirstContactProof, FreeInterval, ProvedEnd};
 use super::free::{MOST_WORK, Pair};
@@ -24,8 +24,8 @@ pub struct MovingBody<'a> {
     pub motion: &'a Motion,
 }
 
-/// Proves when two bodies meet first, or that they do not, or says what fails. A contact is between two times not farther
-/// apart than the resolution.
+/// Proves when two bodies meet first, or that they do not, or says what fails. A contact is between two times not
+/// farther apart than the resolution.
 pub fn check_first_contact(
     bodies: [MovingBody<'_>; 2],
     resolution: f64,

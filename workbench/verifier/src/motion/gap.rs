@@ -12,7 +12,7 @@
 //! | edges | R_a e × R_b f | v · (e × R f) | v · (Rᵀ e × f) |
 //!
 //! The placements of a stretch may be off the motion: no point by more than the angle times its distance from the axis.
-//! So bodies that have a larger gap as they are placed are disjoint where the motion puts them.
+//! Bodies that have a larger gap as they are placed are disjoint, therefore, where the motion puts them.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;

@@ -1,8 +1,9 @@
 //! Two moving bodies at one time: a common point by its coefficients, or two points near each other.
 //!
-//! **Placements that are off.** Let C x = r be the system of three basis generators as they are placed, and (C + E) x' =
-//! r + f that of the motion. With ε = |C⁻¹ E| < 1 and φ = |C⁻¹ f| in the norm of the largest component, C + E is regular
-//! and |x' − x| ≤ (φ + ε |x|) / (1 − ε). The rows of C⁻¹ are cross products of the columns over the determinant.
+//! **Placements that are off.** Let C x = r be the system of three basis generators as they are placed, and (C + E) x'
+//! = r + f that of the motion. With ε = |C⁻¹ E| < 1 and φ = |C⁻¹ f| in the norm of the largest component, C + E is
+//! regular and |x' − x| ≤ (φ + ε |x|) / (1 − ε). The rows of C⁻¹ are cross products of the columns over the
+//! determinant.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
@@ -177,7 +178,8 @@ impl Placed {
         Ok(())
     }
 
-    /// Whether two points are within a distance, as the motions put them: open where that depends on what encloses them.
+    /// Whether two points are within a distance, as the motions put them: open where that depends on what encloses
+    /// them.
     fn reach(&self, distance: f64, exponent: i32) -> Reach {
         let scaled = |length: &Proportion| length.times(&Proportion::whole(self.scale.clone(), 0));
         let unit = Proportion::of_double(1.0).over(&Proportion::whole(IBig::ONE, exponent));

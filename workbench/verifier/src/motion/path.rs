@@ -29,7 +29,8 @@ pub enum Motion {
     Pieces(Vec<MotionPiece>),
 }
 
-/// A piece of a motion: x goes to p + R((1 − s) `from` + s `to`) (x − p) + s `translation`, s from 0 to 1 with the time.
+/// A piece of a motion: x goes to p + R((1 − s) `from` + s `to`) (x − p) + s `translation`, s from 0 to 1 with the
+/// time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionPiece {
     /// The time at which it ends.

@@ -1,4 +1,5 @@
-//! Polynomials on [0, 1] by scaled Bernstein coefficients: Σ c_k s^k (1 − s)^(n − k), the binomial coefficients left in.
+//! Polynomials on [0, 1] by scaled Bernstein coefficients: Σ c_k s^k (1 − s)^(n − k), the binomial coefficients left
+//! in.
 //!
 //! The product is a convolution. Where the first and the last coefficient are positive and no other is negative, the
 //! polynomial is positive on all of [0, 1]: at the ends it is these two, and between all terms are at least 0 and the

@@ -9,8 +9,8 @@ pub(super) const ROOT_PLACES: usize = 32;
 /// The bits of the number of which a root is taken, an even number.
 const ROOT_BITS: usize = 126;
 
-/// At least the root of a number that is not negative, in units of 2^-[`ROOT_PLACES`]: above it by less than 2^-60 of it
-/// and a unit.
+/// At least the root of a number that is not negative, in units of 2^-[`ROOT_PLACES`]: above it by less than 2^-60 of
+/// it and a unit.
 pub(super) fn root_above(square: &IBig) -> IBig {
     if *square <= IBig::ZERO {
         return IBig::ZERO;

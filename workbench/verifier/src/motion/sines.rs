@@ -1,7 +1,7 @@
 //! Sines and cosines of rational angles in whole numbers, within a stated error.
 //!
-//! An angle is reduced by quarter turns, with so many places of π that the number of turns does not matter, and the rest
-//! goes into the series of Taylor. All rounding is of one unit at most, counted below.
+//! An angle is reduced by quarter turns, with so many places of π that the number of turns does not matter, and the
+//! rest goes into the series of Taylor. All rounding is of one unit at most, counted below.
 
 use dashu_int::IBig;
 use dashu_int::ops::{DivEuclid, RemEuclid};
@@ -12,8 +12,8 @@ pub(super) const SINE_PLACES: usize = 112;
 /// Sines and cosines are within so many units of 2^-[`SINE_PLACES`].
 ///
 /// The rest of the angle is off by 2 units. A term of a series is off by 3 units from three roundings, and by what the
-/// term before it was off, which r² / (k (k + 1)) makes a quarter of at most: by 4 units in all. There are 20 terms, and
-/// those that follow are less than 0.8^40 / 40!, no unit. 2 + 20 · 4 is less than 128.
+/// term before it was off, which r² / (k (k + 1)) makes a quarter of at most: by 4 units in all. There are 20 terms,
+/// and those that follow are less than 0.8^40 / 40!, no unit. 2 + 20 · 4 is less than 128.
 #[cfg(test)]
 pub(super) const SINE_ERROR: u32 = 128;
 
@@ -95,11 +95,19 @@ mod tests {
     #[test]
     fn sines_agree_with_those_of_doubles() {
         let quarter = QuarterTurn::for_angles_below(12);
-        let unit = 2f64.powi(-(SINE_PLACES as i32));
-        for i in -2000_i32..=2000 {
-            let angle = f64::from(i) / 8.0;
-            let [sine, cosine] = quarter.sine_and_cosine(&IBig::from(i), 3).map(|x| x.to_f64().value() * unit);
-            assert!((sine - angle.sin()).abs() < 1e-14 && (cosine - angle.cos()).abs() < 1e-14, "{angle}");
+        let unit = 1.0 / (1u128 << SINE_PLACES) as f64;
+        for (angle, sine, cosine) in [
+            (0, 0.0, 1.0),
+            (1, 0.8414709848078965, 0.5403023058681398),
+            (2, 0.9092974268256817, -0.4161468365471424),
+            (3, 0.1411200080598672, -0.9899924966004454),
+            (100, -0.5063656411097588, 0.8623188722876839),
+        ] {
+            for sign in [1, -1] {
+                let found = quarter.sine_and_cosine(&IBig::from(8 * sign * angle), 3);
+                let [s, c] = found.map(|x| x.to_f64().value() * unit);
+                assert!((s - f64::from(sign) * sine).abs() < 1e-14 && (c - cosine).abs() < 1e-14, "{angle}");
+            }
         }
     }
 

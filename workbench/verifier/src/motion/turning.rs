@@ -1,24 +1,24 @@
 //! A rotation at constant rate: between two times it is enclosed by a quaternion of whole numbers that goes linearly.
 //!
 //! Let û be the unit vector of the axis and e(ψ) = cos ψ + sin ψ û, a quaternion that turns by 2 ψ. The motion turns by
-//! e(h) with h linear in the time, from h_0 to h_1, and the stretch by a linear quaternion from q_0 to q_1 near e(h_0) and
-//! e(h_1), all in one plane. There are two bounds of the angle between both rotations.
+//! e(h) with h linear in the time, from h_0 to h_1, and the stretch by a linear quaternion from q_0 to q_1 near e(h_0)
+//! and e(h_1), all in one plane. There are two bounds of the angle between both rotations.
 //!
-//! **The linear path between e(h_0) and e(h_1).** Let 2 a = h_1 − h_0, so that the stretch turns by 4 a, and measure from
-//! the middle: at the share (1 + x) / 2 of the time, −1 ≤ x ≤ 1, the chord is at the angle atan(x t), t = tan a, and the
-//! motion at x a = x atan t. The difference, for x ≥ 0, is the integral over 0 ≤ τ ≤ t of
+//! **The linear path between e(h_0) and e(h_1).** Let 2 a = h_1 − h_0, so that the stretch turns by 4 a, and measure
+//! from the middle: at the share (1 + x) / 2 of the time, −1 ≤ x ≤ 1, the chord is at the angle atan(x t), t = tan a,
+//! and the motion at x a = x atan t. The difference, for x ≥ 0, is the integral over 0 ≤ τ ≤ t of
 //!
 //! ```text
 //! x / (1 + x² τ²) − x / (1 + τ²) = x (1 − x²) τ² / ((1 + x² τ²) (1 + τ²)),
 //! ```
 //!
-//! which is at least 0 and at most x (1 − x²) t³ / 3. The largest value of x (1 − x²) is 2 / (3 √3), so the rotations, by
-//! twice these angles, differ by at most 4 t³ / (9 √3) < 257 t³ / 1000. And t ≤ a / (1 − a² / 2), since sin a ≤ a and
-//! cos a ≥ 1 − a² / 2.
+//! which is at least 0 and at most x (1 − x²) t³ / 3. The largest value of x (1 − x²) is 2 / (3 √3), so the rotations,
+//! by twice these angles, differ by at most 4 t³ / (9 √3) < 257 t³ / 1000. And t ≤ a / (1 − a² / 2), since sin a ≤ a
+//! and cos a ≥ 1 − a² / 2.
 //!
-//! **The ends.** If q_0 and q_1 are within η of e(h_0) and e(h_1), so is the path between of the chord, which is no shorter
-//! than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the rotations differ
-//! by twice that, at most 4 η where cos a ≥ 0.9.
+//! **The ends.** If q_0 and q_1 are within η of e(h_0) and e(h_1), so is the path between of the chord, which is no
+//! shorter than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the
+//! rotations differ by twice that, at most 4 η where cos a ≥ 0.9.
 
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot};
@@ -116,12 +116,13 @@ impl Turning {
     }
 
     /// The quaternion at a time, times a power of two: (c, m · axis) with c and m times the length of the axis within
-    /// 2^(1 − 80) of cosine and sine. They are rounded by at most 2^-80; the error of both and that of the length, 2^-86
-    /// of it, are far less. Together they are within η = 2^(2 − 80).
+    /// 2^(1 − 80) of cosine and sine. They are rounded by at most 2^-80; the error of both and that of the length,
+    /// 2^-86 of it, are far less. Together they are within η = 2^(2 − 80).
     fn turned(&self, time: &IBig, places: usize) -> Quaternion {
         let [sine, cosine] = self.quarter.sine_and_cosine(&(time * &self.angle), places + self.angle_places + 1);
         let cosine = (cosine >> (SINE_PLACES - END_PLACES)) << self.axis_bits;
-        let along = (sine << (self.axis_bits + self.length_places)) / &self.length >> (SINE_PLACES - END_PLACES);
+        let along = (sine << (self.axis_bits + self.length_places)) / &self.length;
+        let along = along >> (SINE_PLACES - END_PLACES);
         let [x, y, z] = multiple(&along, &self.axis);
         [cosine, x, y, z]
     }
