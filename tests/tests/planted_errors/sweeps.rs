@@ -28,7 +28,7 @@ pub fn are_held(input: &Value, result: &Value) -> Option<bool> {
     let length = largest * axis.iter().map(|c| (c / largest).powi(2)).sum::<f64>().sqrt();
     // a little below the angle, since tangent and length are rounded
     let tangents = (0..=PARTS).map(|part| {
-        let turned = angle.min(6.28) * f64::from(part) / f64::from(PARTS) * (1.0 - 1e-12);
+        let turned = angle.min(std::f64::consts::TAU) * f64::from(part) / f64::from(PARTS) * (1.0 - 1e-12);
         libm::tan(turned / 2.0) / length
     });
     let holds = |t: f64| [0.0, 1.0].iter().all(|s| holds_placement(&volume, &sweep, &body, t, *s));

@@ -104,7 +104,7 @@ impl ConstantRate {
         }
         let rounding = ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs();
         let quarter = (self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0;
-        if !(quarter < LARGEST_QUARTER) {
+        if quarter.is_nan() || quarter >= LARGEST_QUARTER {
             return f64::INFINITY;
         }
         let tangent = libm::tan(quarter);

@@ -91,9 +91,8 @@ impl BoundedWide {
     }
 }
 
-impl Add for BoundedWide {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+impl BoundedWide {
+    fn plus(self, other: Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return if self.is_zero() { other } else { self };
         }
@@ -105,10 +104,17 @@ impl Add for BoundedWide {
     }
 }
 
+impl Add for BoundedWide {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.plus(other)
+    }
+}
+
 impl Sub for BoundedWide {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self + other.negated()
+        self.plus(other.negated())
     }
 }
 

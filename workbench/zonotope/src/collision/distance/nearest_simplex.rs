@@ -14,6 +14,12 @@ pub struct NearestSimplex<const D: usize> {
     count: usize,
 }
 
+impl<const D: usize> Default for NearestSimplex<D> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<const D: usize> NearestSimplex<D> {
     /// A simplex without vertices.
     pub fn new() -> Self {

@@ -109,7 +109,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let arm = arc.arm_of(&body.center());
         if arc.is_translation {
             let pulled = transposed_image(&rotations[0], u);
-            let [reach] = body.reaches(&[pulled.clone()]);
+            let [reach] = body.reaches(std::array::from_ref(&pulled));
             let thrice = |end: T| [end.clone(), end.plus(&end), end];
             return (thrice(dot(&pulled, &arm)), thrice(reach));
         }
@@ -124,7 +124,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let pull = if own == 0 { transposed_image } else { image };
         let pulled = self.seen().each_ref().map(|m| pull(m, u));
         let weight = a.weight.times(&b.weight);
-        let [reach] = self.bodies[own].reaches(&[u.clone()]);
+        let [reach] = self.bodies[own].reaches(std::array::from_ref(u));
         let ends = weight.times(&reach).plus(&b.weight.times(&dot(u, &a.arm_of(&self.bodies[own].center()))));
         let arm = b.arm_of(&self.bodies[other].center()).map(|c| c.times(&a.weight));
         let arms = pulled.each_ref().map(|u| dot(u, &arm));

@@ -83,7 +83,7 @@ pub(super) fn completed(bodies: [&Zonotope<3>; 2], arcs: [&Arc<f64>; 2], mut wit
         };
         let best = (0..generators.len()).max_by(|&i, &j| room(i).total_cmp(&room(j)))?;
         let size = dot(&generators[best], &generators[best]).sqrt();
-        if !(room(best) > LEAST_ROOM * size) {
+        if room(best).is_nan() || room(best) <= LEAST_ROOM * size {
             return None;
         }
         add(&mut span, &generators[best]);

@@ -83,7 +83,7 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
     let coordinates = BoxCoordinates::of(frame);
     let mut inner = coordinates.boxed();
     let mut members = match start::<R, D>(frame, &coordinates, epsilon, best, &mut inner, tally) {
-        Start::Members(members) => members,
+        Start::Members(members) => *members,
         Start::Within => return Found { progress: vec![[inner.upper, best.lower]], inner, sets: 0 },
     };
     members.sets.work = *work;

@@ -32,7 +32,7 @@ const LEAST_MULTIPLIER_COUNT: usize = 40;
 /// The beginning of set generation.
 pub(super) enum Start<'a, R, const D: usize> {
     /// The points and sets that it begins with.
-    Members(Members<'a, R, D>),
+    Members(Box<Members<'a, R, D>>),
     /// Nothing is left to do: nets of directions have proven the ratio.
     Within,
 }
@@ -61,7 +61,7 @@ pub(super) fn start<'a, R: Scalar, const D: usize>(
             members.add(members.farthest(&u), &u);
         }
     }
-    Start::Members(members)
+    Start::Members(Box::new(members))
 }
 
 /// The points on the boundary of the shortest zonotope along a coarse net, with their multipliers. The sets are those
@@ -102,5 +102,5 @@ fn from_net<'a, R: Scalar, const D: usize>(
     let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
     let multipliers = multipliers.into_iter().map(|(_, f)| f).collect();
     let sets = VertexSets::with_multipliers(rank, coordinates, &points, multipliers, &directions);
-    Some(Start::Members(Members::new(frame, coordinates, sets, places)))
+    Some(Start::Members(Box::new(Members::new(frame, coordinates, sets, places))))
 }

@@ -39,7 +39,7 @@ pub(super) struct ControlZonotopes<'a> {
 /// The rotations of the bodies as a direction sees them.
 enum Turns {
     /// Both bodies turn, or translate alone.
-    Space([[Matrix<f64>; 3]; 2], [bool; 2]),
+    Space(Box<[[Matrix<f64>; 3]; 2]>, [bool; 2]),
     /// The second body turns as the first one sees it.
     First(Box<[Matrix<f64>; 5]>),
 }
@@ -51,7 +51,7 @@ impl<'a> ControlZonotopes<'a> {
         let path = stretch.path.each_ref().map(values);
         let path = by_coordinates(|k| convolution(&square, &path.map(|base| base[k])));
         let rotations = stretch.rotations.each_ref().map(|list| list.each_ref().map(matrix));
-        let turns = Turns::Space(rotations, stretch.arcs.each_ref().map(|arc| arc.is_translation));
+        let turns = Turns::Space(Box::new(rotations), stretch.arcs.each_ref().map(|arc| arc.is_translation));
         Self::new(stretch, [0, 1], path, turns)
     }
 
