@@ -47,7 +47,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::parts::angle::chord_above;
+use super::parts::angle::{chord_above, covering};
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;
@@ -66,7 +66,7 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
     let farthest = Shadow::of(&plane, &scaled).farthest_above();
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
-    volume.add_square(&plane, up(chord_above(sweep.angle) * farthest));
+    volume.add_square(&plane, up(chord_above(covering(sweep.angle)) * farthest));
     volume.finished()
 }
 

@@ -53,7 +53,7 @@ use super::parts::volume::Volume;
 use crate::hull::convex_hull;
 use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, euclidean_norm};
 use crate::zonotope::Zonotope;
 
 /// The volume with the least rectangle around the arcs.
@@ -85,17 +85,20 @@ struct Rectangle {
 }
 
 /// The rectangle of least area around the corners of a convex polygon, counter-clockwise, in floating point.
+///
+/// Calipers go around the polygon for the areas. Where the polygon is as thin as rounding they may stop too early; so
+/// the rectangle that is least by them is taken around all corners.
 fn least_rectangle(corners: &[[f64; 2]]) -> Rectangle {
     let count = corners.len();
     let edge = |i: usize| {
         let (from, to) = (corners[i % count], corners[(i + 1) % count]);
         let edge = [to[0] - from[0], to[1] - from[1]];
-        let length = dot(&edge, &edge).sqrt();
+        let length = euclidean_norm(&[edge[0], edge[1], 0.0]);
         if length > 0.0 { edge.map(|c| c / length) } else { [1.0, 0.0] }
     };
     // the corners that are farthest along the edge, across it and against it
     let mut farthest = [0, 0, 0];
-    let mut least: Option<Rectangle> = None;
+    let mut least = around(corners, [1.0, 0.0]);
     for i in 0..count {
         let along = edge(i);
         let across = [-along[1], along[0]];
@@ -110,32 +113,29 @@ fn least_rectangle(corners: &[[f64; 2]]) -> Rectangle {
             start = *corner;
         }
         let reach = |k: usize| dot(&corners[farthest[k] % count], &directions[k]);
-        let across_from = dot(&corners[i], &across);
-        let [right, left, top] = [reach(0), -reach(2), reach(1)];
-        let halves = [(right - left) / 2.0, (top - across_from) / 2.0];
-        let middle = [(right + left) / 2.0, (top + across_from) / 2.0];
-        let area = halves[0] * halves[1];
-        if least.as_ref().is_none_or(|least| area < least.area) {
-            let center = [0, 1].map(|k| middle[0] * along[k] + middle[1] * across[k]);
-            least =
-                Some(Rectangle { center, sides: [along.map(|c| halves[0] * c), across.map(|c| halves[1] * c)], area });
+        let area = (reach(0) + reach(2)) * (reach(1) - dot(&corners[i], &across)) / 4.0;
+        if area < least.area {
+            let rectangle = around(corners, along);
+            if rectangle.area < least.area {
+                least = rectangle;
+            }
         }
     }
-    let mut least = least.unwrap_or(Rectangle { center: [0.0; 2], sides: [[0.0; 2]; 2], area: 0.0 });
-    enclose(corners, &mut least);
     least
 }
 
-/// Lengthens the sides so that every corner is reached but for rounding, whichever corners were taken for the farthest.
-fn enclose(corners: &[[f64; 2]], rectangle: &mut Rectangle) {
-    for side in &mut rectangle.sides {
-        let square = dot(side, side);
-        if square > 0.0 {
-            let beyond = corners.iter().fold(1.0, |beyond: f64, corner| {
-                let from_center = [0, 1].map(|k| corner[k] - rectangle.center[k]);
-                beyond.max((dot(&from_center, side) / square).abs())
-            });
-            *side = side.map(|c| c * beyond);
-        }
+/// The rectangle around all corners with sides along a unit vector and across it.
+fn around(corners: &[[f64; 2]], along: [f64; 2]) -> Rectangle {
+    let across = [-along[1], along[0]];
+    let [first, second] = [along, across].map(|direction| {
+        let heights = corners.iter().map(|corner| dot(corner, &direction));
+        let extremes = |[low, high]: [f64; 2], height: f64| [low.min(height), high.max(height)];
+        let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], extremes);
+        [(low + high) / 2.0, (high - low) / 2.0]
+    });
+    Rectangle {
+        center: [0, 1].map(|k| first[0] * along[k] + second[0] * across[k]),
+        sides: [along.map(|c| first[1] * c), across.map(|c| second[1] * c)],
+        area: first[1] * second[1],
     }
 }

@@ -196,7 +196,7 @@ impl Search<'_, '_> {
                     self.free.push(FreeStretch { from, until, direction });
                     return Decided::Not;
                 }
-                if width <= SHORT_STRETCH && self.is_grazing(middle) {
+                if width <= SHORT_STRETCH && self.is_grazing(middle) && self.is_grazing(times[1]) {
                     return Decided::Grazing;
                 }
                 self.open.push(Open { times: [middle, until], hints: [found, hints[1]], meets: None, cuts: 0 });
