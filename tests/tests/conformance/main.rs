@@ -6,7 +6,6 @@ mod centered;
 mod collision;
 mod distance;
 mod faces;
-mod first_contact;
 mod fixed_directions;
 mod hierarchy;
 mod hull;

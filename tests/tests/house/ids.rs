@@ -91,6 +91,11 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
         // the truth in rationals knows the distance, and proves nothing
         ("collision/distance", &["distance"], vec![collision::distance::Method::default().id()]),
         (
+            "motion/continuous",
+            &["collide"],
+            zonotope::motion::continuous::Method::ALL.map(zonotope::motion::continuous::Method::id).to_vec(),
+        ),
+        (
             "motion/space_time",
             &["sweep"],
             zonotope::motion::space_time::Method::ALL.map(zonotope::motion::space_time::Method::id).to_vec(),

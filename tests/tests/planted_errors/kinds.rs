@@ -5,8 +5,9 @@ use serde_json::Value;
 use crate::bounds::{self, Known};
 use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, of_location};
 use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
+use crate::moving::{encounters, sweeps};
 use crate::rationals::{minus, vector, vectors};
-use crate::{enclosures, encounters, proximity, sweeps};
+use crate::{enclosures, proximity};
 
 /// A right answer with one that was changed.
 struct Pair<'a> {

@@ -8,17 +8,16 @@
 
 mod bounds;
 mod enclosures;
-mod encounters;
 mod errors;
 mod fields;
 mod judges;
 mod kinds;
+mod moving;
 mod mutants;
 mod mutation;
 mod plain;
 mod proximity;
 mod rationals;
-mod sweeps;
 mod truth;
 
 use std::collections::BTreeMap;

@@ -1,6 +1,7 @@
 //! Trackers beside fresh queries, frame by frame, on all families of bodies and motions that drift, slide, touch, jump
 //! and spin; beside the twin where the bodies are small. The verifier checks the proofs of a share of the frames.
 
+mod first_contact;
 mod motions;
 
 use dashu_ratio::RBig;

@@ -18,13 +18,13 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use super::answer::MovingDirection;
-use super::path::Stretch;
 use super::polynomial::{self, Polynomial, combined, product};
 use super::quaternion::{
     Matrix, Quaternion, Vector, conjugate, cross, difference, dot, image, mixed_rotation, multiple, sum,
     transposed_image,
 };
 use super::root::{ROOT_PLACES, root_above};
+use super::stretch::Stretch;
 use super::turning::ANGLE_PLACES;
 use crate::exact::grid::Grid;
 

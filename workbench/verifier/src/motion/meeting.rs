@@ -10,9 +10,9 @@ use dashu_int::ops::Abs;
 
 use super::free::Pair;
 use super::gap::displacement;
-use super::path::Stretch;
 use super::quaternion::{Matrix, Vector, cross, dot, image, mixed_rotation, multiple, sum};
 use super::root::{ROOT_PLACES, quotient_above, root_above};
+use super::stretch::Stretch;
 use super::turning::ANGLE_PLACES;
 use crate::collision::displaced::Displaced;
 use crate::collision::location::{LocationCertificate, certified_coefficients, proven};

@@ -8,10 +8,11 @@
 //! | `gap` | the gap along a direction as a polynomial in the time |
 //! | `meeting` | a common point at one time, or two points near each other |
 //! | `path` | motions, and their stretches between two times |
+//! | `stretch` | the placements between two times, as the checks read them |
 //! | `turning` | a rotation at constant rate, enclosed by stretches |
 //! | `sweep` | a zonotope around all placements of a body that turns and translates |
-//! | `turned_arc` | the arc of a turned vector, between rational points and corners of tangents |
-//! | `sines` | sines and cosines within a stated error |
+//! | `sweep/turned_arc` | the arc of a turned vector, between rational points and corners of tangents |
+//! | `turning/sines` | sines and cosines within a stated error |
 //! | `quaternion`, `polynomial`, `root` | what these are made of |
 
 pub(crate) mod answer;
@@ -23,9 +24,8 @@ pub(crate) mod path;
 mod polynomial;
 mod quaternion;
 mod root;
-mod sines;
+mod stretch;
 pub(crate) mod sweep;
 #[cfg(test)]
 mod tests;
-mod turned_arc;
 mod turning;

@@ -9,10 +9,12 @@
 //! If the generators of the body are among those of the answer, they are left out on both sides first: the sum of the
 //! other generators has few facets, and it is enough that it holds all displacements of points of the body.
 
+mod turned_arc;
+
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use super::turned_arc::{Rotation, Turning};
+use self::turned_arc::{Rotation, Turning};
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector, dot, is_zero, reduced};
 use crate::exact::subsets::{count_subsets, subsets};

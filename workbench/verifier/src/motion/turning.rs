@@ -20,13 +20,15 @@
 //! shorter than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the
 //! rotations differ by twice that, at most 4 η where cos a ≥ 0.9.
 
+mod sines;
+
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot};
 
-use super::path::Stretch;
+use self::sines::{QuarterTurn, SINE_PLACES};
 use super::quaternion::{Quaternion, Vector, cross, difference, dot, identity, multiple, sum};
 use super::root::{quotient_above, root_above};
-use super::sines::{QuarterTurn, SINE_PLACES};
+use super::stretch::Stretch;
 use crate::exact::grid::Grid;
 
 /// The places after the point of the ends of a stretch.

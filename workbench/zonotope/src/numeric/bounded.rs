@@ -4,6 +4,8 @@
 //! themselves are sums and products of a few rounded terms that are not negative, which [`FIVE_ROUNDINGS`] covers.
 //! Overflow makes a bound infinite or NaN, and every certain comparison false.
 
+pub(crate) mod wide;
+
 use std::ops::{Add, Mul, Sub};
 
 use super::dyadic::Dyadic;

@@ -4,7 +4,7 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `bounded` | doubles with a bound on their error, for filters of a few operations |
-//! | `bounded_wide` | the same with a power of two of their own, for numbers of all sizes |
+//! | `bounded/wide` | the same with a power of two of their own, for numbers of all sizes |
 //! | `combined_sum` | sums of vectors with coefficients, to twice the digits of a double |
 //! | `double_double/` | numbers of two doubles, with a bound on their error or without |
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
@@ -25,7 +25,6 @@
 //! | `weighted_median` | where weights, added up in order, reach a target |
 
 pub(crate) mod bounded;
-pub(crate) mod bounded_wide;
 pub(crate) mod combined_sum;
 pub(crate) mod double_double;
 pub mod dyadic;

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use zonotope::collision::Witness;
-use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION, first_contact_within};
-use zonotope::motion::continuous::{FirstContact, FreeStretch, SeparatingDirection};
+use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
+use zonotope::motion::continuous::{FirstContact, FreeStretch, Method, SeparatingDirection};
 
 use super::claimed_contact::check;
 use super::stated::motion;
@@ -17,17 +17,17 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     summary: "when two moving zonotopes of space meet first, or that they do not",
     fields: &["a", "b", "motion"],
     optional: &["resolution"],
-    methods: || vec![BY_CONTROL_POINTS],
+    methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
     check,
 };
 
-const BY_CONTROL_POINTS: &str = "by_control_points";
-
 /// The most generators of both bodies: each stretch of time takes some passes over them.
 const GENERATOR_LIMIT: usize = 200_000;
 
-fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
+    let method = method.map_or(Method::default(), named);
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     let [a, b] = [bodies[0].image::<3>()?, bodies[1].image::<3>()?];
     let motions = fields.object("motion", &[], &["a", "b"])?;
@@ -38,8 +38,8 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
         let message = format!("{generators} generators, at most {GENERATOR_LIMIT} of both bodies are taken");
         return Err(Refusal::new(Code::TooLarge, message));
     }
-    let found = first_contact_within([&a, &b], [&of_a, &of_b], resolution);
-    Ok(Solution { method: BY_CONTROL_POINTS, result: result(&found) })
+    let found = method.first_contact([&a, &b], [&of_a, &of_b], resolution, &mut ());
+    Ok(Solution { method: method.id(), result: result(&found) })
 }
 
 fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {

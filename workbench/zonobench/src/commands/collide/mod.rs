@@ -1,53 +1,20 @@
 //! `zonobench collide`: whether two zonotopes in motion meet, and when first.
 
+mod options;
 mod step;
 mod summary;
 
-use std::path::PathBuf;
-
-use clap::Args;
 use serde_json::json;
 
-use self::step::Step;
+pub use self::options::Options;
+
 use super::Ending;
-use super::asked::{About, Asked, body_formats, check_dimensions, record};
-use super::placing::{Placing, PlacingOfSecond};
-use super::usage::question_name;
-use super::usage::{check_inputs, check_names};
-use crate::input::{Format, OptionNames, Placed};
+use super::asked::{About, Asked, check_dimensions, record};
+use super::usage::{check_inputs, check_names, question_name};
+use crate::input::{OptionNames, Placed};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 use batch::json::to_json;
-
-/// Options of `collide`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The first zonotope of space: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
-    ///
-    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
-    /// arrays are generators.
-    a: PathBuf,
-    /// The second zonotope.
-    b: PathBuf,
-    /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
-    #[arg(long, value_parser = body_formats())]
-    format: Option<Format>,
-    #[command(flatten)]
-    step: Step,
-    #[command(flatten)]
-    placing: Placing,
-    #[command(flatten)]
-    placing_of_b: PlacingOfSecond,
-    /// Write the answer with its certificate, in the format of `solve`.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the question in the format of `solve`: `verify` checks the answer against it.
-    #[arg(long, value_name = "FILE")]
-    question: Option<PathBuf>,
-    /// Replace files that exist.
-    #[arg(long)]
-    force: bool,
-}
 
 /// Reads, solves, checks, and prints when the bodies meet first with the proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::Options;
+use super::options::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
 use crate::commands::placing::describe;
 use crate::commands::table::{Table, at_most, counted, figure, in_full, tuple, with_six_digits};

@@ -56,7 +56,7 @@ use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
 

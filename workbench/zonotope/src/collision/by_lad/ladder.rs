@@ -7,7 +7,8 @@
 //! | [`at_likely_vertex`] | 3 to [`WHOLE_LIMIT`] generators | the next one, from the vertex that was found |
 //! | [`from_optimum`] | the search for the optimum; at each vertex that it finds, [`location_by_pair`] may end it | always answers |
 //!
-//! A step is a function to a [`Proof`], which names the rung that proved it. A step that searches counts the rung of the
+//! A step is a function to a [`Proof`], which names the rung that proved it. A step that searches counts the rung of
+//! the
 //! search, too.
 
 use std::cell::OnceCell;
@@ -19,7 +20,7 @@ use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
 use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Query};
 use crate::lad::of_generators::ladder::WHOLE_LIMIT;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::search::best_pair::PAIRS_LIMIT;
 use crate::lad::of_generators::search::likely_vertex::likely_vertex;
 use crate::lad::of_generators::search_from;

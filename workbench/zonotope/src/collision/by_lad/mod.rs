@@ -15,14 +15,15 @@
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
 //!    [`by_lad_in_r4`]. A question of extreme size is multiplied by a power of two (`scaled`).
-//! 2. Where all that is asked is the location, `ladder` says what is tried before the optimum: a point far inside or far
+//! 2. Where all that is asked is the location, `ladder` says what is tried before the optimum: a point far inside or
+//! far
 //!    outside is proved first (`early`).
 //! 3. Of a few hundred generators, a vertex that doubles find proves the location by itself, nearly always
 //!    (`proof::at_vertex`).
 //! 4. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
 //!    which order.
 //! 5. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
-//!    proved to be enough (`proof::of_optimum::separation`).
+//!    proved to be enough (`proof::separation`).
 //! 6. Where λ ≥ 1, the coefficients δ_i / λ are rounded such that three generators balance the rest exactly
 //!    (`in_doubles` of that folder; `exactly` and `pivot` where doubles leave a doubt).
 //!

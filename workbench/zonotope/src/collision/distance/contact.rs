@@ -7,7 +7,7 @@ use super::answer::{Feature, FeatureKind, Proximity};
 use crate::collision::Witness;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::lad::of_generators::{ladder, solve};
 use crate::numeric::Rational;

@@ -1,4 +1,5 @@
-//! What a body of space is asked where it stands: under a pose, or prepared. A moved body keeps its generators: the pose
+//! What a body of space is asked where it stands: under a pose, or prepared. A moved body keeps its generators: the
+//! pose
 //! is part of the question, and exact like it.
 
 use crate::collision::by_lad::{locate, nearest_gauge};

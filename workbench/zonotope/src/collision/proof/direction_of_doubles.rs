@@ -7,7 +7,7 @@
 //! nearly all down; what is left is tried with all generators.
 
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, exact};
 use crate::numeric::linear::dot;

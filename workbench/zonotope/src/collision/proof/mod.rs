@@ -14,6 +14,7 @@ pub(crate) mod at_vertex;
 pub(crate) mod balance;
 mod direction_of_doubles;
 pub(crate) mod of_optimum;
+pub(crate) mod separation;
 pub(crate) mod tightest_facet;
 pub(crate) mod to_doubles;
 pub(crate) mod vectors;

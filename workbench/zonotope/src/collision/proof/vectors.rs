@@ -3,7 +3,8 @@
 //! A generator M v is off by less than 4 u |M| |v| in each coordinate, so that vector bounds its rounding and, in the
 //! place of |v|, the terms of every product with it. At rest both are exact.
 
-use crate::lad::of_generators::seam::generators::{KernelQuery, Part, generator_of};
+use crate::lad::of_generators::seam::generators::{Part, generator_of};
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
 

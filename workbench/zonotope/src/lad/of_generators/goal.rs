@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::seam::generators::KernelQuery;
+use super::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// What a caller does with a vertex that a search finds: it ends the search or lets it go on. The function is given the

@@ -21,7 +21,8 @@
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
-//! A caller may see the vertices that a rung finds ([`AtVertex`]) and end the search there; then no optimum is the answer.
+//! A caller may see the vertices that a rung finds ([`AtVertex`]) and end the search there; then no optimum is the
+//! answer.
 //!
 //! Displacements of a size outside [`MODERATE_SIZES`], for which products of doubles leave their range, begin at
 //! `FlatBody`.
@@ -39,7 +40,7 @@ use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
 use super::plane::guess::Guess;
 use super::problem::Problem;
-use super::seam::generators::KernelQuery;
+use super::seam::kernel_query::KernelQuery;
 use super::search::Searched;
 use super::search::best_pair::{PAIRS_LIMIT, best_pair};
 use super::search::class_meetings::{ClassesFound, search_meetings};

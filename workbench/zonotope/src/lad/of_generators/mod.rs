@@ -46,7 +46,7 @@ pub(crate) mod support;
 
 use self::goal::{AtVertex, Goal};
 use self::optimum::Optimum;
-use super::of_generators::seam::generators::KernelQuery;
+use super::of_generators::seam::kernel_query::KernelQuery;
 use crate::tally::{Rung, Tally};
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).

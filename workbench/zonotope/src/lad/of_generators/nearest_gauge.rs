@@ -13,7 +13,7 @@ use super::certify::unit_gauge_bound::unit_gauge_bound;
 use super::exact::solve::exact_gauge;
 use super::ladder::exact_of;
 use super::optimum::Optimum;
-use super::seam::generators::KernelQuery;
+use super::seam::kernel_query::KernelQuery;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;

@@ -4,10 +4,11 @@ use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::goal::{AtVertex, Goal};
 use super::plane::rounded_chart::RoundedChart;
-use super::seam::generators::KernelQuery;
+use super::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
-/// Of more generators than this, a vertex is certified before the caller sees it: to prove a separating direction takes a
+/// Of more generators than this, a vertex is certified before the caller sees it: to prove a separating direction takes
+/// a
 /// pass more than the certificate.
 const PROOF_LIMIT: usize = 1024;
 

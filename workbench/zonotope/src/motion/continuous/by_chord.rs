@@ -9,7 +9,8 @@
 //!
 //! # Method
 //! Along a direction that is fixed in space the gap is the least of smooth functions, one for each choice of the signs
-//! of the generators. The second derivative of each is at most K = Σ (ω² + |ω'|) |u⊥| (Σ |v⊥| + |c⊥|) over the bodies, so
+//! of the generators. The second derivative of each is at most K = Σ (ω² + |ω'|) |u⊥| (Σ |v⊥| + |c⊥|) over the bodies,
+//! so
 //! the gap is at least the chord between its values at both ends, less K / 8. The directions that are tried separate
 //! the bodies at the ends of the stretch; the last one is that of the shortest vector between them at its middle.
 //!
@@ -22,8 +23,27 @@
 //! # Numerics
 //! Gaps at the ends are doubles with bounds, K is a double that is rounded up; contacts are decided exactly.
 //!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Zonotope, motion::Motion};
+//! use zonotope::motion::continuous::{FirstContact, by_chord::first_contact_counted};
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! let found = first_contact_counted([&cube, &other], [&right, &Motion::rest()], 1e-6, &mut ());
+//! let FirstContact::Contact { time: [before, met], .. } = found else { panic!("they meet") };
+//! assert!(before < 0.5 && 0.5 <= met && met - before <= 1e-6);
+//! ```
 
 use super::bisection::{self, Bound};
 use super::gap::Stretch;

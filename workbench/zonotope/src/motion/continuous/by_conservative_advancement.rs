@@ -24,8 +24,27 @@
 //! Distances are within two units in the last place; the speed is a double that is rounded up; contacts are decided
 //! exactly.
 //!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Zonotope, motion::Motion};
+//! use zonotope::motion::continuous::{FirstContact, by_conservative_advancement::first_contact_counted};
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! let found = first_contact_counted([&cube, &other], [&right, &Motion::rest()], 1e-6, &mut ());
+//! let FirstContact::Contact { time: [before, met], .. } = found else { panic!("they meet") };
+//! assert!(before < 0.5 && 0.5 <= met && met - before <= 1e-6);
+//! ```
 
 use super::by_control_points::{SHORTEST_STRETCH, STRETCH_LIMIT};
 use super::ordinary_sizes;

@@ -10,7 +10,8 @@
 //! # Method
 //! A body that turns by θ about an axis while its base goes along v stays within its first placement, a square about
 //! the disc of radius 2 r sin(θ/2) across the axis, r the distance of its farthest point from the axis, and the segment
-//! from 0 to v: a zonotope of n + 3 generators. Bodies whose volumes are disjoint do not meet on the stretch; else it is
+//! from 0 to v: a zonotope of n + 3 generators. Bodies whose volumes are disjoint do not meet on the stretch; else it
+//! is
 //! halved.
 //!
 //! # Complexity
@@ -23,8 +24,27 @@
 //! # Numerics
 //! Volumes are doubles that are made larger by more than their rounding; volumes and contacts are decided exactly.
 //!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Zonotope, motion::Motion};
+//! use zonotope::motion::continuous::{FirstContact, by_space_time_volumes::first_contact_counted};
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! let found = first_contact_counted([&cube, &other], [&right, &Motion::rest()], 1e-6, &mut ());
+//! let FirstContact::Contact { time: [before, met], .. } = found else { panic!("they meet") };
+//! assert!(before < 0.5 && 0.5 <= met && met - before <= 1e-6);
+//! ```
 
 use super::FirstContact;
 use super::bisection::{self, Bound};
@@ -141,7 +161,7 @@ fn farthest_from_axis(generators: &[[f64; 3]], center: &[f64; 3], axis: [f64; 3]
     let mut farthest = 0.0f64;
     let mut look = |vertex: [f64; 2]| {
         for sign in [1.0, -1.0] {
-            farthest = farthest.max(libm::hypot(center[0] + sign * vertex[0], center[1] + sign * vertex[1]));
+            farthest = farthest.max(euclidean_norm(&[center[0] + sign * vertex[0], center[1] + sign * vertex[1], 0.0]));
         }
     };
     look(vertex);

@@ -65,7 +65,7 @@ impl Rates {
         let reach = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
         let size = body.magnitude() + arm.iter().map(|c| c.abs()).sum::<f64>();
         let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0) * size;
-        Self { axis: unit(axis), angle: 2.0 * libm::atan2(sine, w), rate, change, reach, travel: still.travel }
+        Self { axis: unit(axis), angle: 2.0 * libm::atan(sine / w.max(0.0)), rate, change, reach, travel: still.travel }
     }
 
     /// How fast a point of the body goes along a unit direction beside the base, at most.

@@ -1,7 +1,8 @@
 //! The truth about a placement: whether a volume holds it, by every direction that can be normal to a facet.
 //!
 //! # Statement
-//! Input: a volume, a sweep, a body and two numbers. Output: whether the volume contains the body turned by the angle of
+//! Input: a volume, a sweep, a body and two numbers. Output: whether the volume contains the body turned by the angle
+//! of
 //! which half has the tangent t |axis|, and moved by s times the translation; the largest squared distance of a vertex
 //! from the axis.
 //!
@@ -10,7 +11,8 @@
 //!
 //! # Method
 //! A convex body lies in the zonotope just when its support function is nowhere larger along cross products of two
-//! generators; for flat ones also along those with coordinate axes and with a third factor. The farthest vertex is found
+//! generators; for flat ones also along those with coordinate axes and with a third factor. The farthest vertex is
+//! found
 //! by all choices of signs.
 //!
 //! # Complexity
@@ -52,7 +54,8 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, is_zero, multiple, sum};
 use crate::zonotope::Zonotope;
 
-/// Whether a volume contains a placement of a body: turned by twice the angle whose tangent is t |axis|, then moved by s
+/// Whether a volume contains a placement of a body: turned by twice the angle whose tangent is t |axis|, then moved by
+/// s
 /// times the translation.
 ///
 /// # Panics

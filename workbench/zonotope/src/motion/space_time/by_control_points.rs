@@ -1,15 +1,18 @@
 //! The body at the middle of a rational motion and a box around the displacements.
 //!
 //! # Statement
-//! Input: a rational motion, a body. Output: a zonotope that contains every placement exactly: the generators of the body
+//! Input: a rational motion, a body. Output: a zonotope that contains every placement exactly: the generators of the
+//! body
 //! as it stands at the time 1/2, and one along each coordinate axis.
 //!
 //! # Source
 //! Section 6, for motions that turn about several axes.
 //!
 //! # Method
-//! On a stretch between two quaternions the placement of a point x is a(s) + Σ B_i(s) M_i (x + w) / Σ B_i(s) d_i, B_i the
-//! Bernstein polynomials of degree 2 and d_i > 0: a convex combination of the control points M_i (x + w) / d_i, beside a
+//! On a stretch between two quaternions the placement of a point x is a(s) + Σ B_i(s) M_i (x + w) / Σ B_i(s) d_i, B_i
+//! the
+//! Bernstein polynomials of degree 2 and d_i > 0: a convex combination of the control points M_i (x + w) / d_i, beside
+//! a
 //! segment. The displacement of x from the middle placement is linear in x at each of them, and largest along a
 //! coordinate axis at a vertex of the body. Each part of the motion is cut in four, which makes all d_i positive.
 //!

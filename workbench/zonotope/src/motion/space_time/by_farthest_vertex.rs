@@ -32,7 +32,8 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers in
+//! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers
+//! in
 //! the crate `verifier`.
 //!
 //! # Example

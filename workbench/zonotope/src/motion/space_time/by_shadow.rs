@@ -7,7 +7,8 @@
 //! Section 6. Departure: the shadow of the body takes the place of a circle around it.
 //!
 //! # Method
-//! Let x be a point of the body turned halfway, x⊥ its part orthogonal to the axis, J the quarter turn. For an angle α of
+//! Let x be a point of the body turned halfway, x⊥ its part orthogonal to the axis, J the quarter turn. For an angle α
+//! of
 //! at most half of θ, R(α) x = x − (1 − cos α) x⊥ + sin α J x⊥. So all placements lie in the sum of the turned body,
 //! 1 − cos(θ/2) times the shadow and sin(θ/2) times the shadow turned by a quarter; the centre counts as a generator of
 //! the shadow. From θ = π on the largest sine is 1.

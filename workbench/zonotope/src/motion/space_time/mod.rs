@@ -12,6 +12,7 @@
 //! | [`by_least_zonogon`] | the body and the zonogon of least area around these arcs | those of the zonogon more |
 //! | [`by_shadow`] | the body turned halfway and two images of its shadow | 3n + 3 |
 //! | [`by_turned_generators`] | each generator turned: three for one | 3n + 3 |
+//! | [`brute_force`] | the truth: one exact placement against all facet normals | |
 //!
 //! Rounding adds a generator along each coordinate axis in which something was lost: at most three more.
 //!

@@ -1,6 +1,8 @@
 //! The support function of a centred zonotope of space in doubles with a bound on its error, in one pass over its
 //! generators: nothing about the body must be known before.
 
+pub(super) mod along;
+
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::absolute_sum::absolute_sum_at;

@@ -12,7 +12,7 @@
 //! | [`number`] | what the steps of a pass compute with: one number, or eight |
 //! | `row_products` | dot products of rows of any length |
 //! | `signed_factors` | the coefficients of an extreme point, made smaller |
-//! | `sums_along` | support functions and extreme vertices along a few directions at once |
+//! | `bounded_sum/along` | support functions and extreme vertices along a few directions at once |
 //! | `sum_in_pairs` | the support function to twice the digits of a double |
 //! | [`layout`] | how vectors lie in memory: rows, eights of them, blocks |
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
@@ -30,7 +30,6 @@ mod partial_sums;
 mod row_products;
 mod signed_factors;
 mod sum_in_pairs;
-mod sums_along;
 #[cfg(test)]
 pub(crate) mod test_vectors;
 
@@ -38,6 +37,7 @@ pub(crate) use layout::{blocks, body_sums, octet, octets, rows};
 
 pub use absolute_sum::absolute_sum;
 pub(crate) use absolute_sum::absolute_sum_of;
+pub(crate) use bounded_sum::along::{absolute_sums, bounded_sums, extreme_sums};
 pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
 pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
@@ -46,4 +46,3 @@ pub(crate) use first_orthogonal::first_orthogonal;
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};
 pub(crate) use signed_factors::signed_factors;
 pub(crate) use sum_in_pairs::absolute_sum_in_pairs;
-pub(crate) use sums_along::{absolute_sums, bounded_sums, extreme_sums};

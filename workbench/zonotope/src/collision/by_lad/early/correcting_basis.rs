@@ -3,7 +3,7 @@
 use crate::collision::Query;
 use crate::collision::by_lad::early::huber_dual::WELL_WITHIN;
 use crate::collision::proof::balance::well_spread::well_spread;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};

@@ -12,12 +12,13 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::{Carried, Generators, Runs, count_of};
+use crate::lad::of_generators::seam::generators::{Carried, Generators};
 use crate::numeric::lanes::body_sums::{add_square, sizes, squares, weighted};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};
 use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::rows::{Runs, count_of};
 use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.

@@ -14,13 +14,15 @@ use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::{INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::{Carried, KernelQuery, Runs, count_of};
+use crate::lad::of_generators::seam::generators::Carried;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::body_sums::squares_at;
 use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
+use crate::numeric::lanes::rows::{Runs, count_of};
 use crate::numeric::linear::dot;
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
@@ -181,7 +183,8 @@ impl Carried for Weighted {
     }
 }
 
-/// Where p is relative to a few generators, with its proof, whose coefficients are in terms of their own lengths if `OWN`.
+/// Where p is relative to a few generators, with its proof, whose coefficients are in terms of their own lengths if
+/// `OWN`.
 #[inline(always)]
 pub(crate) fn of_least<const OWN: bool>(query: &impl KernelQuery, p: &BoundedVector) -> Result<Proof, Open> {
     dispatch!(level_for(query.len()), simd => of_least_at::<_, OWN>(simd, query, p))

@@ -32,7 +32,7 @@ use crate::collision::by_lad::early::combination::Combination;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments};
 use crate::collision::by_lad::early::least_squares::{Open, of_least, of_least_in_plane};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::bounded::{self, BoundedVector};

@@ -9,10 +9,12 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::{Carried, KernelQuery, Runs};
+use crate::lad::of_generators::seam::generators::Carried;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, clipped, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};
+use crate::numeric::lanes::rows::Runs;
 
 /// The number of eights of generators in a sample, or nearly.
 const SAMPLE: usize = 16;

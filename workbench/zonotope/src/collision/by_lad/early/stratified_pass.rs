@@ -15,7 +15,7 @@ use std::ops::Range;
 
 use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::{Combination, Stretches, Written};
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// The last part has at least so many, and the square root of all more.

@@ -15,7 +15,7 @@ use super::fixed_signs::fixed_signs;
 use super::rounded_vertices::RoundedVertices;
 use crate::collision::distance::nearest_simplex::NearestSimplex;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, difference, exact, negated, rounded_direction};
 use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::tolerance::{CONTACT_ANGLE, EXACT_DIRECTION_ROUNDING, SEPARATING_DIRECTION_DOUBT};

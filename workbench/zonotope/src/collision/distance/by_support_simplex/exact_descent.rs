@@ -6,7 +6,7 @@
 
 use super::exact_simplex::ExactSimplex;
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, multiple, negated, sum};
 

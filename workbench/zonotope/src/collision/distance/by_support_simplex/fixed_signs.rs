@@ -1,7 +1,7 @@
 //! The signs that generators have throughout a cone of directions.
 
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::lanes::signed_factors;
 
 /// The sign that each generator has throughout a cone, as the pass took it that told which ones cross the cone; 0 for

@@ -74,7 +74,7 @@ mod tests;
 use super::Proximity;
 use crate::collision::by_lad::locate_counted;
 use crate::collision::{Location, Separation};
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;

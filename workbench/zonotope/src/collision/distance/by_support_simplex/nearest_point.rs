@@ -8,7 +8,7 @@ use super::exact_descent::{Descended, descend, over_whole_face};
 use super::face_point::{Share, shares};
 use super::fixed_signs::fixed_signs;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, dot, exact, is_zero, multiple, rounded_direction};

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::nearest_point::{NearestPoint, bodies};
 use crate::collision::Witness;
 use crate::collision::distance::answer::{Feature, FeatureKind, Gap};
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, is_zero, multiple, sum};
 

@@ -1,7 +1,7 @@
 //! Extreme vertices of a zonotope as seen from a displacement, in doubles of ordinary size.
 
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};

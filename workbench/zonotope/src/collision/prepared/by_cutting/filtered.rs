@@ -3,8 +3,8 @@
 
 use std::cmp::Ordering;
 
+use crate::numeric::bounded::wide::BoundedWide;
 use crate::numeric::bounded::{self, BoundedVector};
-use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{ExactVector, exact, negated, sum};
 use crate::numeric::linear::{cross, dot};

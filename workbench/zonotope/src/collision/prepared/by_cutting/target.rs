@@ -2,7 +2,7 @@
 
 use super::filtered::Vector;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::bounded_wide::BoundedWide;
+use crate::numeric::bounded::wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, negated};

@@ -14,7 +14,7 @@ use super::part::TreePart;
 use super::query::TreeQuery;
 use crate::collision::Location;
 use crate::collision::by_lad::ladder;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;

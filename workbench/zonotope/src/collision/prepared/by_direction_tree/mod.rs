@@ -82,8 +82,6 @@ mod walk;
 
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod tests_of_placed;
 
 pub use answer::{Certificate, Located, Measured};
 pub use placed::PlacedTree;

@@ -3,6 +3,46 @@
 //! A cell of directions and a direction are pulled back into the frame in which the tree was built, and the sums that
 //! the nodes tell are pushed forward; the tree itself is never touched. So one or two moving bodies are asked about
 //! in each frame without being built anew.
+//!
+//! # Statement
+//! Input: one or two bodies with their trees, each at rest or under a pose; a point. Output: location, gauge or how the
+//! bodies meet, exactly, with a proof that is written out on request.
+//!
+//! # Source
+//! Section 5.2 asks one body many times; that bodies turn between two questions is ours.
+//!
+//! # Method
+//! 1. The question about two bodies is about the difference of their centres and the generators of both trees.
+//! 2. A cell is pulled back into the frame of each tree; its nodes tell sums, which are pushed forward.
+//! 3. The kernel searches as for one tree at rest.
+//!
+//! # Complexity
+//! That of the tree at rest, and a product with a matrix for each node that is read.
+//!
+//! # Shapes
+//! `point`: three coordinates; a pose is any matrix with a translation.
+//!
+//! # Numerics
+//! Decisions are exact for the pose as it is given.
+//!
+//! # Errors
+//! [`NonFinite`] if a coordinate of a point is NaN or infinite.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! The kernel without a tree, and `brute_force`.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Pose, Zonotope};
+//! use zonotope::collision::{Status, prepared::DirectionTree};
+//! let axes = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let tree = DirectionTree::new(&Zonotope::new([0.0; 3], axes).unwrap());
+//! let moved = Pose::from_translation([2.0, 0.0, 0.0]).unwrap();
+//! assert_eq!(tree.at(&moved).locate([1.0, 0.0, 0.0]).unwrap().status(), Status::Boundary);
+//! ```
 
 use super::DirectionTree;
 use super::answer::{Certified, Located, Measured};

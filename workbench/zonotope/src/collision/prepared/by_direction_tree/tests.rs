@@ -1,4 +1,6 @@
 use super::*;
+mod placed;
+
 use crate::collision::{Location, Status, brute_force, by_lad};
 use crate::interop::verifier::check_location;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;

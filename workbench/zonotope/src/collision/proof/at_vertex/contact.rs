@@ -13,7 +13,7 @@ use crate::collision::answer::Proof;
 use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
 use crate::collision::proof::vectors::Vectors;
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::linear::{cross, dot};

@@ -1,6 +1,6 @@
 //! Linearly independent generators, and exact coordinates in terms of them.
 
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero, rounded_direction};
 

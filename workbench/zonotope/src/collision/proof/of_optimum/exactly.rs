@@ -9,7 +9,7 @@
 use crate::collision::Witness;
 use crate::collision::proof::balance::basis::Basis;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, multiple, negated, sum};
 

@@ -9,7 +9,7 @@ use crate::collision::Witness;
 use crate::collision::proof::balance::well_spread::well_spread;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross};
 use crate::numeric::linear::{cyclic_cross_products, dot};
 use crate::numeric::tolerance::UNIT;

@@ -14,23 +14,22 @@
 pub(crate) mod exactly;
 mod in_doubles;
 pub(crate) mod pivot;
-pub(crate) mod separation;
 
 use std::cmp::Ordering;
 
 use self::exactly::Combination;
 use self::in_doubles::witness;
 use self::pivot::walk;
-use self::separation::exact_rung;
 use super::at_vertex::in_doubles::location_by_pair;
 use super::balance::basis::Basis;
+use super::separation::{self, exact_rung};
 use crate::collision::answer::Proof;
 use crate::collision::{Location, Separation, Witness};
 use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::ladder;
 use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};

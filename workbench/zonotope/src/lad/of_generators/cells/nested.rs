@@ -6,7 +6,7 @@
 
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::lanes::octet::LANES;
 use crate::numeric::reused::{Reused, keep_lists_of};

@@ -7,7 +7,7 @@
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::reused::{Reused, keep_lists_of};

@@ -11,7 +11,7 @@ use super::rounded_optimum::RoundedOptimum;
 use super::unit_gauge_bound::unit_gauge_bound;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::goal::Goal;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::reused::ReusedBox;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, GAUGE_ACCURACY};

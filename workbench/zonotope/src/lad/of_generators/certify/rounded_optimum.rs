@@ -22,7 +22,7 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross, exact};
 use crate::numeric::exact_linear::{self, ExactVector};

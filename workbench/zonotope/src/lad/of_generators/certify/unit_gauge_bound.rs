@@ -5,7 +5,7 @@
 //! ≤ ρ < 1/3, and let s be the largest gauge of the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3
 //! ρ), and the gauge of any x is at most s |x|_1.
 
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 use crate::numeric::tolerance::{MODERATE_SIZES, UNIT};
 

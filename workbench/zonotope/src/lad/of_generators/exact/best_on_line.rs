@@ -4,7 +4,7 @@
 //! all.
 
 use crate::lad::of_generators::guess::crossings::CrossingList;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, rounded_direction};
 use crate::numeric::linear::{cross, dot};
 

@@ -4,7 +4,7 @@
 //! body has few directions, or two bodies share some, nearly all facets are of this kind, and the optimum's
 //! coefficients follow from two quotients, without a search among the facet's generators.
 
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, dot, sum};
 

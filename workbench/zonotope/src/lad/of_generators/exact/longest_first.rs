@@ -10,7 +10,7 @@ use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, rounded_direction};
 use crate::numeric::linear::max_norm;

@@ -11,7 +11,7 @@ use crate::lad::of_generators::exact::bundle::{Bundle, Share};
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::exact::vertex_signs::ExactVertex;
 use crate::lad::of_generators::guess::crossings::CrossingList;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};

@@ -6,7 +6,7 @@ use crate::lad::by_pruning;
 use crate::lad::of_generators::cells::nested::{NestedCell, NestedCells};
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, sum};
 use crate::seed::EXACT_STAGE_SEED;

@@ -12,7 +12,7 @@ use crate::lad::of_generators::exact::bundle::Bundle;
 use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::{ExactOptimum, signs_in};
 use crate::lad::of_generators::exact::vertex_signs::ExactVertex;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::max_norm;
 use crate::tally::{Operation, Tally};

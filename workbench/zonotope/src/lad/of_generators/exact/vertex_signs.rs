@@ -3,7 +3,7 @@
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::exact::solve::{EXACT_SOLVE_LIMIT, ExactOptimum};
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, is_zero, negated, rounded_direction};
 use crate::tally::Tally;
 

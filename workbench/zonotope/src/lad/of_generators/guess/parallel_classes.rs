@@ -14,7 +14,7 @@ use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::guess::Guess;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;
 use crate::numeric::lanes::octet::{LANES, Octet, slot, splat};

@@ -13,7 +13,7 @@
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact, multiple};
 use crate::numeric::scaling::scale_by_power_of_two;

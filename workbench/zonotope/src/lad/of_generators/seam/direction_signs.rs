@@ -1,7 +1,8 @@
 //! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the
 //! others.
 
-use super::generators::{KernelQuery, Part};
+use super::generators::Part;
+use super::kernel_query::KernelQuery;
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::exact_linear::{ExactVector, dot};
 

@@ -24,28 +24,17 @@ use std::ops::Range;
 use super::direction_cone::DirectionCone;
 use super::frame::Frame;
 use super::sign_pass::{FixedSum, Places};
-use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded::Bounded;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::rows::{Rows, Runs, count_of};
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::linear::sum_norm;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
-use crate::tally::Tally;
-use crate::zonotope::placed::{Placed, Standing};
+use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
-
-/// Rows in two runs.
-pub(crate) type Runs<'a> = [Rows<'a>; 2];
-
-/// How many rows there are.
-#[inline(always)]
-pub(crate) fn count_of([first, second]: Runs<'_>) -> usize {
-    first.len() + second.len()
-}
 
 /// Results of a pass over the rows of one part that can become results for their images.
 pub(crate) trait Carried {
@@ -93,7 +82,8 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         self.parts().iter().filter_map(|part| part.frame).map(|frame| frame.relative_error()).fold(0.0, f64::max)
     }
 
-    /// A generator in doubles with its length |v|_1, of an image a bound of it, of which the generator is off by at most
+    /// A generator in doubles with its length |v|_1, of an image a bound of it, of which the generator is off by at
+    /// most
     /// 4 u.
     #[inline(always)]
     fn vector(&self, index: usize) -> ([f64; 3], f64) {
@@ -222,66 +212,6 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     }
 }
 
-/// Generators and the displacement that is asked about.
-pub(crate) trait KernelQuery: Generators {
-    /// The displacement p, exactly.
-    fn exact(&self) -> ExactVector;
-
-    /// The displacement p in doubles, with a bound of each coordinate's error.
-    fn rounded_displacement(&self) -> BoundedVector;
-
-    /// The displacement in doubles at first sight: with a bound that may be larger.
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        self.rounded_displacement()
-    }
-
-    /// The displacement to twice the digits of a double.
-    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3];
-
-    /// The generators and both ends of the displacement, if doubles hold all of them; images are copied. O(n).
-    fn in_doubles(&self) -> Option<InDoubles<'_>>;
-
-    /// A cell that is likely to hold the optimum, where whoever holds the generators knows more of them than a sample
-    /// tells; its centre is a direction u with u · p = 1.
-    fn likely_cell(&self, _: &mut dyn Tally) -> Option<DirectionCone> {
-        None
-    }
-
-    /// Σ sign · v with the signs of the products with a direction, exactly, where it is known without reading all
-    /// generators; 0 is the sign of those that are orthogonal to it.
-    fn exact_sum_along(&self, _: &ExactVector) -> Option<ExactVector> {
-        None
-    }
-
-    /// s such that the gauge of any x is at most s |x|_1, if that is known beforehand.
-    fn known_gauge_bound(&self) -> Option<f64> {
-        None
-    }
-}
-
-/// A query as doubles hold it, at rest.
-#[derive(Debug)]
-pub(crate) struct InDoubles<'a> {
-    ends: [[f64; 3]; 2],
-    runs: [Cow<'a, [[f64; 3]]>; 2],
-}
-
-impl InDoubles<'_> {
-    /// The query.
-    #[inline]
-    pub(crate) fn query(&self) -> Query<'_, 3> {
-        Query::of_placed(Placed::of_finite(self.ends[0], &self.runs[0]), Placed::of_finite(self.ends[1], &self.runs[1]))
-    }
-}
-
-impl dyn KernelQuery + '_ {
-    /// All generators in doubles, in the order of their indices.
-    pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; 3]> {
-        self.parts().into_iter().flat_map(|part| part.images())
-    }
-}
-
 /// A generator in doubles, for callers that read many and ask for the parts once.
 #[inline]
 pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f64; 3] {
@@ -364,11 +294,16 @@ impl<'a> Part<'a> {
     }
 
     /// The images, if doubles hold them.
-    fn exact_images(&self) -> Option<Cow<'a, [[f64; 3]]>> {
+    pub(super) fn exact_images(&self) -> Option<Cow<'a, [[f64; 3]]>> {
         if self.frame.is_none() {
             return Some(self.rows.list().into());
         }
-        self.rows.list().iter().map(|v| exact_doubles(&self.exact_image(v))).collect::<Option<Vec<_>>>().map(Cow::Owned)
+        self.rows
+            .list()
+            .iter()
+            .map(|v| exact_linear::doubles(&self.exact_image(v)))
+            .collect::<Option<Vec<_>>>()
+            .map(Cow::Owned)
     }
 
     fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
@@ -431,13 +366,6 @@ impl<'a> Part<'a> {
     }
 }
 
-/// An exact vector, if doubles hold it.
-fn exact_doubles(v: &ExactVector) -> Option<[f64; 3]> {
-    let rounded = v.each_ref().map(Dyadic::to_f64);
-    let is_exact = rounded.iter().zip(v).all(|(c, exact)| c.is_finite() && Dyadic::from_f64(*c) == *exact);
-    is_exact.then_some(rounded)
-}
-
 impl Generators for Rows<'_> {
     #[inline(always)]
     fn parts(&self) -> [Part<'_>; 2] {
@@ -463,37 +391,5 @@ impl<P: Standing> Generators for Query<'_, 3, P> {
     #[inline(always)]
     fn is_fixed() -> bool {
         P::IS_FIXED
-    }
-}
-
-impl<P: Standing> KernelQuery for Query<'_, 3, P> {
-    fn exact(&self) -> ExactVector {
-        Query::exact(self)
-    }
-
-    #[inline(always)]
-    fn rounded_displacement(&self) -> BoundedVector {
-        Query::rounded_displacement(self)
-    }
-
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        Query::displacement_estimate(self)
-    }
-
-    fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        Query::displacement_pairs(self)
-    }
-
-    fn in_doubles(&self) -> Option<InDoubles<'_>> {
-        let ends = match self.at_rest() {
-            Some(query) => [query.from(), query.to()],
-            None => {
-                let [from, to] = self.ends();
-                [exact_doubles(&from)?, exact_doubles(&to)?]
-            }
-        };
-        let [first, second] = Generators::parts(self);
-        Some(InDoubles { ends, runs: [first.exact_images()?, second.exact_images()?] })
     }
 }

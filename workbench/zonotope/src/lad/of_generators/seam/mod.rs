@@ -12,4 +12,5 @@ pub(crate) mod direction_cone;
 pub(crate) mod direction_signs;
 pub(crate) mod frame;
 pub(crate) mod generators;
+pub(crate) mod kernel_query;
 pub(crate) mod sign_pass;

@@ -5,7 +5,7 @@
 use super::best_pair::{Found, PAIRS_LIMIT, steepest};
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};

@@ -9,7 +9,8 @@
 //! The rival of Section 6 that planners use: a body cast from one pose to the next.
 //!
 //! # Method
-//! The search of Gilbert, Johnson and Keerthi over the difference of the hulls, in doubles. The farthest point of a hull
+//! The search of Gilbert, Johnson and Keerthi over the difference of the hulls, in doubles. The farthest point of a
+//! hull
 //! along a direction is that of one of the two placements.
 //!
 //! # Complexity
@@ -21,8 +22,25 @@
 //! # Numerics
 //! Everything is in doubles; hulls that touch may be told either way.
 //!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! Translations, of which it misses nothing.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Zonotope, motion::Motion};
+//! use zonotope::motion::continuous::rivals::by_hull_of_end_poses::first_meeting_stretch;
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! assert_eq!(first_meeting_stretch([&cube, &other], [&right, &Motion::rest()], 3), Some(1.0 / 3.0));
+//! ```
 
 use crate::collision::distance::NearestSimplex;
 use crate::motion::Motion;

@@ -19,8 +19,25 @@
 //! # Numerics
 //! Each question is answered exactly for the placements as they are rounded.
 //!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! Its contacts are not earlier than the first one by control points.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Zonotope, motion::Motion};
+//! use zonotope::motion::continuous::rivals::by_sampling::first_sampled_contact;
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+//! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
+//! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
+//! // faces that are 4 apart meet when half of 8 is gone
+//! assert_eq!(first_sampled_contact([&cube, &other], [&right, &Motion::rest()], 4), Some(0.5));
+//! ```
 
 use crate::motion::Motion;
 use crate::zonotope::Zonotope;

@@ -117,8 +117,9 @@ mod tests {
                 for k in 0..3 {
                     let [low, high] = [unit[k].value - unit[k].error, unit[k].value + unit[k].error];
                     let squared = &direction[k] * &direction[k];
-                    let [near, far] = [low.abs().min(high.abs()).next_down().max(0.0), low.abs().max(high.abs()).next_up()]
-                        .map(Dyadic::from_f64);
+                    let [low, high] = [low.abs(), high.abs()];
+                    let near = Dyadic::from_f64(low.min(high).next_down().max(0.0));
+                    let far = Dyadic::from_f64(low.max(high).next_up());
                     prop_assert!(&(&near * &near) * &square <= squared && squared <= &(&far * &far) * &square);
                 }
             }

@@ -144,6 +144,15 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// Rows in two runs.
+pub(crate) type Runs<'a> = [Rows<'a>; 2];
+
+/// How many rows there are.
+#[inline(always)]
+pub(crate) fn count_of([first, second]: Runs<'_>) -> usize {
+    first.len() + second.len()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -61,7 +61,7 @@ use self::precision::{InDoubles, Listed, Precision};
 use super::Penetration;
 use crate::collision::Location;
 use crate::collision::by_lad::locate_counted;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;

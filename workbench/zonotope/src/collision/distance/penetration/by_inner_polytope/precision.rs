@@ -1,7 +1,7 @@
 //! A body whose extreme vertices are told in doubles, in pairs of doubles or exactly.
 
 use super::number::Number;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;

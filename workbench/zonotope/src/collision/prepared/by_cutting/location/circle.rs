@@ -10,8 +10,8 @@
 use crate::collision::prepared::by_cutting::filtered::{Filtered, Vector, sign_of_determinant};
 use crate::collision::prepared::by_cutting::structure::boundary::Normal;
 use crate::collision::prepared::by_cutting::structure::tree::{Cut, Place, SUM_STEP, Tree};
+use crate::numeric::bounded::wide::BoundedWide;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;

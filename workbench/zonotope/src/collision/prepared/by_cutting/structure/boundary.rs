@@ -5,8 +5,8 @@
 
 use crate::arrangement::cutting::{self, Wall};
 use crate::collision::prepared::by_cutting::filtered::Vector;
+use crate::numeric::bounded::wide::BoundedWide;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};

@@ -4,8 +4,8 @@
 //! two doubles hold them exactly. So the usual body takes 48 bytes a sum, and a sum that is equal to a coordinate of a
 //! query is known to be so.
 
+use crate::numeric::bounded::wide::BoundedWide;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::bounded_wide::BoundedWide;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;

@@ -1,4 +1,4 @@
-use super::*;
+use super::super::*;
 use crate::Zonotope;
 use crate::collision::by_lad::tests::posed::check_proof;
 use crate::collision::prepared::by_direction_tree::tests::{KINDS, body};

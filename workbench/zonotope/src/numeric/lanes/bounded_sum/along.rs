@@ -3,11 +3,11 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use super::level::level;
-use super::number::product;
-use super::octet::{Octet, splat, total, totals, turned};
-use super::rows::Rows;
 use crate::numeric::bounded::Bounded;
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::product;
+use crate::numeric::lanes::octet::{Octet, splat, total, totals, turned};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
 /// Generators whose sums are taken together: a term goes through few additions, whatever their number.

@@ -7,11 +7,11 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use super::bounded::Bounded;
-use super::dyadic::Dyadic;
-use super::linear::ring_of_values;
-use super::scaling::{binary_exponent, scale_by_power_of_two};
-use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
+use crate::numeric::bounded::Bounded;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::ring_of_values;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// The exact value is 2^`exponent` times one that `part` bounds; its double is 0 or has an exponent of
 /// [`LARGEST_EXPONENT`] at most in magnitude.

@@ -5,7 +5,7 @@ use crate::collision::Separation;
 use crate::collision::answer::Proof;
 use crate::collision::proof::direction_of_doubles::Beyond;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
-use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
@@ -14,7 +14,7 @@ use crate::tally::Rung;
 
 /// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2
 /// |v|.
-pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Proof> {
+pub(in crate::collision) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Proof> {
     let error = optimum.direction.iter().fold(0.0f64, |m, c| m.max(c.error));
     let size: f64 = p.iter().map(|c| c.magnitude()).sum();
     let gap = optimum.along - optimum.support();

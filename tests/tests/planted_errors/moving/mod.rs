@@ -1,0 +1,4 @@
+//! Whether changed answers about bodies in motion are still true.
+
+pub mod encounters;
+pub mod sweeps;
