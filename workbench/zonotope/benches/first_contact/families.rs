@@ -70,7 +70,7 @@ fn prism(n: usize, radius: f64) -> Zonotope<3> {
         let angle = std::f64::consts::PI * i as f64 / sides as f64;
         // Σ |sin| over the directions is near 2 n / π
         let length = radius * std::f64::consts::FRAC_PI_2 / sides as f64;
-        [length * angle.cos(), length * angle.sin(), 0.0]
+        [length * libm::cos(angle), length * libm::sin(angle), 0.0]
     };
     let list = (0..sides).map(side).chain([[0.0, 0.0, 0.4]]).collect();
     Zonotope::new([0.0; 3], list).expect("finite")
@@ -80,7 +80,7 @@ fn prism(n: usize, radius: f64) -> Zonotope<3> {
 pub fn turns(point: [f64; 3], axis: [f64; 3], degrees: f64, translation: [f64; 3]) -> Motion {
     let parts = (degrees.abs() / 90.0).ceil().max(1.0);
     let half = (degrees / parts).to_radians() / 2.0;
-    let to = [half.cos(), half.sin() * axis[0], half.sin() * axis[1], half.sin() * axis[2]];
+    let to = [libm::cos(half), libm::sin(half) * axis[0], libm::sin(half) * axis[1], libm::sin(half) * axis[2]];
     let piece = |k: usize| {
         // the axis goes along with the translation
         let share = k as f64 / parts;
@@ -145,7 +145,7 @@ pub fn scene(family: &str, seed: u64, clearance: f64) -> Scene {
     let small = [0, 1, 2].map(|_| number(random, 0.1..0.4));
     let outward = |random: &mut Pcg64, degrees: f64| {
         let angle = number(random, 0.0..degrees.to_radians());
-        [angle.cos(), angle.sin(), number(random, -0.3..0.3)]
+        [libm::cos(angle), libm::sin(angle), number(random, -0.3..0.3)]
     };
     let (bodies, motions, along) = match family {
         "links" => {
@@ -196,20 +196,20 @@ pub fn scene(family: &str, seed: u64, clearance: f64) -> Scene {
             // the box goes round the prism, which stands in the middle: the second body is the one that is shifted
             let core = prism(10, 0.7);
             let orbiting = turned_box(random, [0.0; 3], small);
-            let along = [angle.cos(), angle.sin(), 0.0];
+            let along = [libm::cos(angle), libm::sin(angle), 0.0];
             ([core, orbiting], [Motion::rest(), turns([0.0; 3], z, 360.0, [0.0; 3])], along)
         }
         "ring" => {
             let core = random_body(random, 10, [0.0; 3]);
             let angle = number(random, 0.0..0.3);
             let bar = straight_box([0.0; 3], [0.06, 0.8, 0.06]);
-            let along = [angle.cos(), angle.sin(), number(random, -0.1..0.1)];
+            let along = [libm::cos(angle), libm::sin(angle), number(random, -0.1..0.1)];
             ([core, bar], [Motion::rest(), turns([0.0; 3], z, 360.0, [0.0; 3])], along)
         }
         "spinning_prism" => {
             let other = straight_box([0.0; 3], small);
             let angle = number(random, 0.0..0.2);
-            let along = [angle.cos(), angle.sin(), 0.0];
+            let along = [libm::cos(angle), libm::sin(angle), 0.0];
             ([prism(10, 0.7), other], [turns([0.0; 3], z, 360.0, [0.0; 3]), Motion::rest()], along)
         }
         _ => unreachable!("{family} is no family"),

@@ -16,8 +16,7 @@
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
 //!    [`by_lad_in_r4`]. A question of extreme size is multiplied by a power of two (`scaled`).
 //! 2. Where all that is asked is the location, `ladder` says what is tried before the optimum: a point far inside or
-//! far
-//!    outside is proved first (`early`).
+//!    far outside is proved first (`early`).
 //! 3. Of a few hundred generators, a vertex that doubles find proves the location by itself, nearly always
 //!    (`proof::at_vertex`).
 //! 4. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
