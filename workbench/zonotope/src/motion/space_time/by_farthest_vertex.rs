@@ -67,11 +67,12 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
     let farthest = Shadow::of(&plane, &scaled).farthest_above();
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
-    volume.add_square(&plane, up(chord_above(covering(sweep.angle)) * farthest));
+    volume.add_square(&plane, product_above(chord_above(covering(sweep.angle)), farthest));
     volume.finished()
 }
 
-/// A bound of a rounded product: the next double, and 0 where a factor is 0.
-pub(super) fn up(product: f64) -> f64 {
-    if product == 0.0 { 0.0 } else { product.next_up() }
+/// A bound of the product of two numbers that are not negative: the double above the rounded one, which may be 0 where
+/// the product underflows, and 0 where a factor is 0.
+pub(super) fn product_above(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
 }

@@ -41,7 +41,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::by_farthest_vertex::up;
+use super::by_farthest_vertex::product_above;
 use super::parts::angle::{chord_above, cosine_and_sine, covering};
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
@@ -62,6 +62,6 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
     let farthest = Shadow::of(&plane, &scaled).farthest_above();
     let mut volume = Volume::of_turned_body(&scaled, &plane, &cosine_and_sine(half), sweep);
-    volume.add_square(&plane, up(chord_above(half) * farthest));
+    volume.add_square(&plane, product_above(chord_above(half), farthest));
     volume.finished()
 }
