@@ -124,7 +124,7 @@ fn plain_number(word: &str) -> Option<String> {
 /// The files of experiments and of what they ask.
 fn crate_sources() -> Vec<String> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let folders = [source.join("definitions"), source.join("families/bodies/question")];
+    let folders = [source.join("definitions"), source.join("question")];
     let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).expect("the folder is there"));
     files.map(|file| std::fs::read_to_string(file.expect("it can be read").path()).expect("it is text")).collect()
 }
