@@ -42,8 +42,8 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](crate::collision::brute_force) and fresh queries, on frames of all families of bodies that drift, slide, touch,
-//! jump and spin; the verifier, on their proofs.
+//! [`brute_force`](crate::collision::brute_force) and fresh queries, on frames of all families of bodies that drift,
+//! slide, touch, jump and spin; the verifier, on their proofs.
 //!
 //! # Example
 //! ```
