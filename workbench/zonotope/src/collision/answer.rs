@@ -1,4 +1,4 @@
-//! What the ladder of a location answers.
+//! The answer of the ladder of a location: where the displacement lies, and the rung that proved it.
 
 use super::{Location, Separation, Witness};
 use crate::tally::{Rung, Tally};

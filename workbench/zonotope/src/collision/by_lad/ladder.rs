@@ -40,7 +40,7 @@ pub(super) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally
     proof.counted(tally)
 }
 
-/// What passes over a sample prove without a search.
+/// The proof of a location by passes over a sample, without a search.
 #[inline]
 pub(in crate::collision) fn early<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Option<Proof> {
     query.is_moderate().then(|| early::locate(query, tally))?

@@ -72,8 +72,8 @@ use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 use crate::zonotope::placed::Standing;
 
-/// Where a displacement lies relative to the zonotope of its generators, with a proof whose coefficients are those of
-/// the generators as they are stored.
+/// The location of a displacement relative to the zonotope of its generators, with a proof whose coefficients are those
+/// of the generators as they are stored.
 ///
 /// Under poses the proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M
 /// g_i|.

@@ -183,8 +183,8 @@ impl Carried for Weighted {
     }
 }
 
-/// Where p is relative to a few generators, with its proof, whose coefficients are in terms of their own lengths if
-/// `OWN`.
+/// The location of p relative to a few generators, with its proof; if `OWN`, each coefficient is in terms of the length
+/// of its generator.
 #[inline(always)]
 pub(crate) fn of_least<const OWN: bool>(query: &impl KernelQuery, p: &BoundedVector) -> Result<Proof, Open> {
     dispatch!(level_for(query.len()), simd => of_least_at::<_, OWN>(simd, query, p))

@@ -81,7 +81,7 @@ use crate::zonotope::Zonotope;
 use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
-/// How near the bodies of a query are, where they stand.
+/// The proximity of the bodies of a query where they stand: how far apart they are, or how they meet.
 pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Proximity<D> {
     proximity_counted(query, &mut ())
 }

@@ -29,6 +29,10 @@ const SHARE_OF_EPSILON: f64 = 0.999;
 /// faster.
 const LEAST_MULTIPLIER_COUNT: usize = 40;
 
+/// Finer nets are tried around at least this many points: around fewer, set generation is fast, and its bound, which is
+/// better than that of a net, leaves room for fewer generators.
+const LEAST_POINT_COUNT: usize = 64;
+
 /// The beginning of set generation.
 pub(super) enum Start<'a, R, const D: usize> {
     /// The points and sets that it begins with.
@@ -88,7 +92,8 @@ fn from_net<'a, R: Scalar, const D: usize>(
     keep_shorter(coordinates.stretched(FrameZonotope::along(&generation)), inner);
     let far = best.improve(rank, &frame.points, multipliers.clone(), 1.0);
     let is_within = |inner: &FrameZonotope<D>, best: &BestBound<D>, ratio| inner.upper <= (1.0 + ratio) * best.lower;
-    if multipliers.len() >= LEAST_MULTIPLIER_COUNT && is_within(inner, best, epsilon / LEAST_SHARE_OF_GAP) {
+    let are_many = frame.points.len() >= LEAST_POINT_COUNT && multipliers.len() >= LEAST_MULTIPLIER_COUNT;
+    if are_many && is_within(inner, best, epsilon / LEAST_SHARE_OF_GAP) {
         along_finer_nets(frame, coordinates, SHARE_OF_EPSILON * epsilon, best, inner, tally);
         if is_within(inner, best, SHARE_OF_EPSILON * epsilon) {
             return Some(Start::Within);
