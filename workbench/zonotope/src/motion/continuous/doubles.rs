@@ -12,11 +12,14 @@
 //! | in a body | 20 | the rotation of one as the other sees it: 2, 8, 12, 8, 2 T_a T_b |
 //! | normal of edges | 80 | two products of (2, 4, 2) T, and the bases |
 //!
+//! Halving a polynomial takes means of its coefficients, which makes them no larger, and five roundings each time.
+//!
 //! Of the roundings, 150 are those of the quaternions: a quaternion of the stretch is a sum of two that are not
 //! opposite, so that its length is at least a third of the terms', each within 12 units; four of them are in a product.
 
 use super::SeparatingDirection;
 use super::gap::Stretch;
+use crate::motion::bernstein;
 use crate::numeric::linear::sum_norm;
 use crate::numeric::tolerance::{GAP_ROUNDING, MODERATE_SIZES, UNIT};
 
@@ -49,11 +52,11 @@ impl Stretch<'_, f64> {
         }
     }
 
-    /// The sign that the coefficients of a gap along a direction have in common for certain: whether all are positive,
-    /// or one is negative; `None` where rounding leaves a doubt.
+    /// Whether a gap along a direction is positive during the stretch: for certain, or not for certain by its
+    /// coefficients; `None` where rounding leaves a doubt.
     pub(super) fn is_positive(&self, gap: &[f64; 6], direction: &SeparatingDirection) -> Option<bool> {
         let doubt = self.rounding() * length_at_most(direction);
-        if gap.iter().all(|c| *c > doubt) {
+        if bernstein::is_above(&bernstein::unscaled(gap), doubt) {
             return Some(true);
         }
         gap.iter().any(|c| *c < -doubt).then_some(false)

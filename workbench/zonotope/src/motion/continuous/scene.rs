@@ -22,6 +22,9 @@ use crate::tally::{Operation, OperationCounts, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
 
+/// The share of the distance that the gap along a direction has at least, if it is to tell when the bodies meet.
+const NEAR_THE_SHORTEST: f64 = 0.9;
+
 /// Two bodies and their motions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scene<'a> {
@@ -142,7 +145,7 @@ impl<'a> Scene<'a> {
             [0, 1, 2].map(|k| turned[k] + moved[k])
         });
         let apart = [0, 1, 2].map(|k| centers[1][k] - centers[0][k]);
-        search(&[first.unwrap_or(apart)], |u| {
+        search(&[first.unwrap_or(apart)], NEAR_THE_SHORTEST, |u| {
             tally.add(Operation::SupportEvaluation, 2);
             let [from, to] = [(0, &p), (1, &q)].map(|(i, pose)| {
                 let own = transposed_image(pose.rows(), u);

@@ -32,8 +32,10 @@ pub(super) enum Search {
     Undecided,
 }
 
-/// Looks for a direction: the first ones, and from their lowest points on.
-pub(super) fn search(first: &[[f64; 3]], mut lowest: impl FnMut(&[f64; 3]) -> Lowest) -> Search {
+/// Looks for a direction: the first ones, and from their lowest points on. A `quality` above 0 asks for one along which
+/// the gap is at least that share of the distance; where that is not reached, one with a gap is found all the same.
+pub(super) fn search(first: &[[f64; 3]], quality: f64, mut lowest: impl FnMut(&[f64; 3]) -> Lowest) -> Search {
+    let mut found = Search::Undecided;
     let mut simplex = NearestSimplex::<3>::new();
     let mut known = first.iter();
     let mut nearest = None;
@@ -41,29 +43,32 @@ pub(super) fn search(first: &[[f64; 3]], mut lowest: impl FnMut(&[f64; 3]) -> Lo
         let (u, is_nearest) = match (known.next(), nearest) {
             (Some(u), _) => (*u, false),
             (None, Some(nearest)) => (nearest, true),
-            (None, None) => return Search::Undecided,
+            (None, None) => return found,
         };
         let Lowest { point, is_found } = lowest(&u);
         if is_found {
-            return Search::Found(u);
+            found = Search::Found(u);
+            if quality == 0.0 || (is_nearest && dot(&u, &point) > quality * dot(&u, &u)) {
+                return found;
+            }
         }
         if is_nearest && dot(&u, &point) > (1.0 - CONVERGENCE) * dot(&u, &u) {
-            return Search::Undecided;
+            return found;
         }
         if simplex.has_vertex(&point) {
             continue;
         }
-        let Some(next) = simplex.add(point) else { return Search::Undecided };
+        let Some(next) = simplex.add(point) else { return found };
         nearest = Some(next);
         if simplex.is_full() {
-            return Search::Inside;
+            return if found == Search::Undecided { Search::Inside } else { found };
         }
         let square = dot(&next, &next);
         if square.is_nan() || square <= RELATIVE_DISTANCE * simplex.largest_square() {
-            return Search::Undecided;
+            return found;
         }
     }
-    Search::Undecided
+    found
 }
 
 #[cfg(test)]
@@ -72,7 +77,7 @@ mod tests {
 
     /// The cube of half a side about a centre.
     fn of_cube(center: [f64; 3], half: f64, least: f64) -> Search {
-        search(&[[1.0, 0.2, 0.3]], |u| {
+        search(&[[1.0, 0.2, 0.3]], 0.0, |u| {
             let point = [0, 1, 2].map(|k| center[k] - half.copysign(u[k]));
             let length = dot(u, u).sqrt();
             Lowest { point, is_found: dot(u, &point) > least * length }

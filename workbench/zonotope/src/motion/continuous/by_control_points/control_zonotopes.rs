@@ -9,15 +9,12 @@ use super::super::body::Body;
 use super::super::doubles::length_at_most;
 use super::super::gap::{Matrix, Stretch};
 use super::super::simplex_search::{Lowest, Search, search};
-use crate::motion::bernstein::{convolution, elevated};
+use crate::motion::bernstein::{self, INVERSE_BINOMIALS, convolution, elevated};
 use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::lanes::extreme_sums;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
-
-/// The inverses of the binomial coefficients of degree 5: those of scaled Bernstein coefficients.
-const INVERSE_BINOMIALS: [f64; 6] = [1.0, 0.2, 0.1, 0.1, 0.2, 1.0];
 
 /// The control zonotopes of the gap along directions that are fixed in space or in one of the bodies.
 pub(super) struct ControlZonotopes<'s, 'a> {
@@ -77,8 +74,8 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
     /// A direction that separates the origin from all control zonotopes, searched for from first ones, which are those
     /// of the frame, from the body in which they are fixed to the other.
     pub(super) fn separating_direction(&self, first: &[[f64; 3]], tally: &mut dyn Tally) -> Option<Found> {
-        let mut least_excess = 0.0;
-        let found = search(first, |u| {
+        let mut is_proved = false;
+        let found = search(first, 0.0, |u| {
             tally.add(Operation::SupportEvaluation, self.support_evaluations());
             let direction = self.direction(u);
             let margin = self.stretch.margin_along(&direction) * self.weight(0) * self.weight(1);
@@ -90,13 +87,11 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
                 dot(u, &vertices[k]) - margin * (square[0] + square[1]) * INVERSE_BINOMIALS[k]
             });
             let least = (1..6).fold(0, |least, k| if excess[k] < excess[least] { k } else { least });
-            least_excess = excess[least];
-            Lowest { point: vertices[least], is_found: least_excess > 0.0 }
+            is_proved = bernstein::is_above(&excess, self.rounding * length_at_most(&direction));
+            Lowest { point: vertices[least], is_found: is_proved || excess[least] > 0.0 }
         });
         let Search::Found(u) = found else { return None };
-        let direction = self.direction(&u);
-        let is_proved = least_excess > self.rounding * length_at_most(&direction);
-        Some(Found { direction, is_proved })
+        Some(Found { direction: self.direction(&u), is_proved })
     }
 
     /// A direction of the frame as one from the first body to the second.
