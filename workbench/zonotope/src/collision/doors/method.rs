@@ -11,26 +11,28 @@ use crate::collision::{
 };
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
+use crate::tables::methods;
 use crate::tally::Tally;
 use crate::zonotope::faces::FacesError;
 
-/// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
-/// alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
+    /// alone.
+    pub enum Method;
+    /// The cost of a question with n generators.
+    fn cost;
+
     /// [`by_lad`], the default; in four dimensions it is [`by_lad_in_r4`](crate::collision::by_lad_in_r4).
-    #[default]
-    ByLad,
+    ByLad => "by_lad", "Kernel", "O(n) expected";
     /// [`by_slope_selection`], the paper's search.
-    BySlopeSelection,
+    BySlopeSelection => "by_slope_selection", "Theorem 5.2: the paper's search", "O(n log² n) expected";
     /// [`by_explicit_faces`].
-    ByExplicitFaces,
+    ByExplicitFaces => "by_explicit_faces", "Explicit faces", "Ω(n²)";
     /// [`by_linear_program`] with the engine [`Clarabel`].
     #[cfg(feature = "linear-programming")]
-    ByLinearProgram,
+    ByLinearProgram => "by_linear_program", "Linear program with a proof", "the engine's";
     /// [`brute_force`].
-    BruteForce,
+    BruteForce => "brute_force", "Every facet normal in rationals", "O(n^D) in rationals";
 }
 
 /// What a method finds out about a displacement.
@@ -75,61 +77,10 @@ impl<const D: usize> Finding<D> {
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: &[Self] = &[
-        Self::ByLad,
-        Self::BySlopeSelection,
-        Self::ByExplicitFaces,
-        #[cfg(feature = "linear-programming")]
-        Self::ByLinearProgram,
-        Self::BruteForce,
-    ];
-
     /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a
     /// proof. Above four dimensions that is brute force, whose cost grows with the power of the dimension.
     pub fn default_in(dimension: usize) -> Self {
         if Self::ByLad.dimensions().contains(&dimension) { Self::ByLad } else { Self::BruteForce }
-    }
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::ByLad => "by_lad",
-            Self::BySlopeSelection => "by_slope_selection",
-            Self::ByExplicitFaces => "by_explicit_faces",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "by_linear_program",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::ByLad => "Kernel",
-            Self::BySlopeSelection => "Theorem 5.2: the paper's search",
-            Self::ByExplicitFaces => "Explicit faces",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "Linear program with a proof",
-            Self::BruteForce => "Every facet normal in rationals",
-        }
-    }
-
-    /// The cost of a question with n generators.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::ByLad => "O(n) expected",
-            Self::BySlopeSelection => "O(n log² n) expected",
-            Self::ByExplicitFaces => "Ω(n²)",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "the engine's",
-            Self::BruteForce => "O(n^D) in rationals",
-        }
     }
 
     /// The dimensions that the method works in.
@@ -297,7 +248,7 @@ mod tests {
         let generators: Vec<[f64; D]> =
             (0..D).map(|axis| std::array::from_fn(|other| if other == axis { 2.0 } else { 0.0 })).collect();
         let [outside, inside] = [[3.0; D], [1.0; D]];
-        for &method in Method::ALL {
+        for method in Method::ALL {
             for (point, is_inside) in [(outside, false), (inside, true)] {
                 let question = Query::new([0.0; D], point, &generators).expect("finite");
                 let found = method.locate(&question, 1, &mut ());
@@ -335,7 +286,7 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for &method in Method::ALL {
+        for method in Method::ALL {
             assert_eq!(Method::from_id(method.id()), Some(method));
         }
         assert_eq!(Method::from_id("by_luck"), None);
