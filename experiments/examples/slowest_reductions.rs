@@ -121,7 +121,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
         _ => {
             let epsilon = *one_of(&PRECISIONS, source);
             timed(format!("{epsilon}, R^{D}, {size} generators"), || {
-                patches_within(&body, epsilon).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+                patches_within(&body, epsilon, &mut ()).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
             })
         }
     }

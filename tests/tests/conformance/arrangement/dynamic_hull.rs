@@ -87,7 +87,7 @@ fn chains_of_large_sets_are_those_of_static_hulls() {
             if number % 150 == 149 {
                 let present = points.iter().enumerate().filter(|(k, _)| chains[0].contains(SiteIndex(*k as u32)));
                 let present: Vec<Point> = present.map(|(_, point)| *point).collect();
-                let hull = hull::convex_hull(&present).expect("the points are finite and not none");
+                let hull = hull::convex_hull(&present, &mut ()).expect("the points are finite and not none");
                 let at = |site: SiteIndex| points[site.position()].map(|c| c + 0.0);
                 let mut of_chains: Vec<_> = chains.iter().flat_map(|chain| chain.vertices()).map(at).collect();
                 let mut of_hull: Vec<_> = hull.vertices().iter().map(|vertex| vertex.map(|c| c + 0.0)).collect();

@@ -25,9 +25,9 @@ impl Method {
     /// [`HullError`] if there are no points, too many, or a coordinate that is not finite.
     pub fn convex_hull(self, points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
         match self {
-            Self::ByDiscarding => by_discarding::convex_hull_counted(points, tally),
-            Self::ByMonotoneChain => by_monotone_chain::convex_hull_counted(points, tally),
-            Self::BruteForce => brute_force::convex_hull_counted(points, tally),
+            Self::ByDiscarding => by_discarding::convex_hull(points, tally),
+            Self::ByMonotoneChain => by_monotone_chain::convex_hull(points, tally),
+            Self::BruteForce => brute_force::convex_hull(points, tally),
         }
     }
 }

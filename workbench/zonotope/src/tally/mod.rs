@@ -1,6 +1,6 @@
 //! Counting what an algorithm does: exact, machine-independent, free when unused.
 //!
-//! Every algorithm has a counted variant that takes a [`Tally`]. The unit type counts nothing and compiles to nothing;
+//! An algorithm that counts takes a [`Tally`]. The unit type counts nothing and compiles to nothing, `&mut ()`;
 //! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these
 //! numbers, never on times.
 

@@ -46,9 +46,6 @@
 //! [`UpdateError::Absent`](super::UpdateError::Absent) ⇔ one is deleted that is not there;
 //! [`UpdateError::Unknown`](super::UpdateError::Unknown) ⇔ the index is not below the number of sites.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on all families, and static hulls of large sets.
 //!

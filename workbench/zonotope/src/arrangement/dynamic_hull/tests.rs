@@ -121,7 +121,7 @@ proptest! {
         let chain = |side| BruteForce::new(sorted(&sites), side, all.clone()).expect("distinct indices");
         let [lower, upper] = [Side::Lower, Side::Upper].map(|side| chain(side).vertices());
         let around = lower.iter().chain(upper.iter().rev().skip(1)).map(|site| site.position());
-        let truth = crate::hull::convex_hull(&points).map(|hull| {
+        let truth = crate::hull::convex_hull(&points, &mut ()).map(|hull| {
             hull.indices().iter().map(|index| index.get()).collect::<Vec<_>>()
         });
         let turns = if lower.len() > 1 { lower.len() + upper.len() - 2 } else { lower.len() };

@@ -23,7 +23,7 @@ impl Method {
     /// [`SeparatorError`] when k is above the number of tiles or falls within a facet of coplanar generators.
     pub fn separator(self, dual: &DualArrangement, k: u64, seed: u64) -> Result<Separator, SeparatorError> {
         match self {
-            Self::BySlopeSelection => by_slope_selection::separator(dual, k, seed),
+            Self::BySlopeSelection => by_slope_selection::separator(dual, k, seed, &mut ()),
             Self::BruteForce => brute_force::separator(dual, k),
         }
     }

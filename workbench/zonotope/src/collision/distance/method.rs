@@ -33,7 +33,7 @@ impl Method {
     /// The square of the distance, exactly, in space.
     pub fn exact_squared_distance(self, query: &Query<'_, 3>, tally: &mut dyn Tally) -> Rational {
         match self {
-            Self::BySupportSimplex => by_support_simplex::proximity_counted(query, tally).exact_squared_distance(),
+            Self::BySupportSimplex => by_support_simplex::proximity(query, tally).exact_squared_distance(),
             Self::BruteForce => brute_force::nearest_point(query).squared_distance,
         }
     }

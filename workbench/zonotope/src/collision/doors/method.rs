@@ -122,15 +122,15 @@ impl Method {
     ) -> Result<Finding<D>, MethodError> {
         let located = match self {
             Self::ByLad => match D {
-                1 => asked_in::<1, D>(question, |question| by_lad::locate_counted(question, tally)),
-                2 => asked_in::<2, D>(question, |question| by_lad::locate_counted(question, tally)),
-                3 => asked_in::<3, D>(question, |question| by_lad::locate_counted(question, tally)),
-                _ => asked_in::<4, D>(question, |question| by_lad::locate_counted(question, tally)),
+                1 => asked_in::<1, D>(question, |question| by_lad::locate(question, tally)),
+                2 => asked_in::<2, D>(question, |question| by_lad::locate(question, tally)),
+                3 => asked_in::<3, D>(question, |question| by_lad::locate(question, tally)),
+                _ => asked_in::<4, D>(question, |question| by_lad::locate(question, tally)),
             },
             Self::BySlopeSelection => match D {
-                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
-                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
-                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
+                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
+                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
             },
             Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
             #[cfg(feature = "linear-programming")]
@@ -160,10 +160,10 @@ impl Method {
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
             Self::ByLad => match D {
-                1 => measured_in::<1, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                2 => measured_in::<2, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                3 => measured_in::<3, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                _ => measured_in::<4, D>(question, |question| by_lad::gauge_counted(question, tally)),
+                1 => measured_in::<1, D>(question, |question| by_lad::gauge(question, tally)),
+                2 => measured_in::<2, D>(question, |question| by_lad::gauge(question, tally)),
+                3 => measured_in::<3, D>(question, |question| by_lad::gauge(question, tally)),
+                _ => measured_in::<4, D>(question, |question| by_lad::gauge(question, tally)),
             },
             Self::ByExplicitFaces => match D {
                 1 => explicit_gauge::<1, D>(question, tally)?,
@@ -185,9 +185,9 @@ impl Method {
     #[inline(never)]
     pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
         let by_kernel = match (self, D) {
-            (Self::ByLad, 1) => measured_in::<1, D>(question, by_lad::nearest_gauge),
-            (Self::ByLad, 2) => measured_in::<2, D>(question, by_lad::nearest_gauge),
-            (Self::ByLad, 3) => measured_in::<3, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 1) => measured_in::<1, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
+            (Self::ByLad, 2) => measured_in::<2, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
+            (Self::ByLad, 3) => measured_in::<3, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
             _ => None,
         };
         match by_kernel {
@@ -221,7 +221,7 @@ fn explicit_gauge<const E: usize, const D: usize>(
     tally: &mut dyn Tally,
 ) -> Result<Option<Gauge<D>>, MethodError> {
     let Some(question) = question.in_dimension::<E>() else { return Ok(None) };
-    let Gauge { value, error, location } = by_explicit_faces::gauge_counted(&question, &mut &mut *tally)?;
+    let Gauge { value, error, location } = by_explicit_faces::gauge(&question, &mut &mut *tally)?;
     Ok(Some(Gauge { value, error, location: in_same_dimension(location) }))
 }
 

@@ -24,8 +24,8 @@ impl Method {
     /// [`HeightError`] if a number is not finite or there are too many generators.
     pub fn height(self, generators: &[[f64; 3]], p0: [f64; 2], seed: u64) -> Result<Height, HeightError> {
         match self {
-            Self::ByKernel => by_kernel::height(generators, p0),
-            Self::BySlopeSelection => by_slope_selection::height(generators, p0, seed),
+            Self::ByKernel => by_kernel::height(generators, p0, &mut ()),
+            Self::BySlopeSelection => by_slope_selection::height(generators, p0, seed, &mut ()),
             Self::BruteForce => brute_force::height(generators, p0),
         }
     }

@@ -30,9 +30,9 @@ impl Method {
     pub fn minimize(self, problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
         match self {
             Self::BruteForce => brute_force::solve(problem),
-            Self::LineSearch => by_line_search::minimize_counted(problem, seed, tally),
-            Self::SlopeSelection => by_slope_selection::minimize_counted(problem, seed, tally),
-            Self::Pruning => by_pruning::minimize_counted(problem, seed, tally),
+            Self::LineSearch => by_line_search::minimize(problem, seed, tally),
+            Self::SlopeSelection => by_slope_selection::minimize(problem, seed, tally),
+            Self::Pruning => by_pruning::minimize(problem, seed, tally),
         }
     }
 }
