@@ -110,7 +110,12 @@ struct Rounded {
 impl Rounded {
     fn around(center: &RoundedCenter, kernel: &Kernel, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
         let outward = center.outward(hull, farthest, &kernel.bisectors.frame);
-        let lower_bound = center.less_gap(kernel, outward.area_below).max(0.0);
+        let least = if outward.area_below < f64::MAX {
+            center.less_gap(kernel, outward.area_below)
+        } else {
+            center.exact_area_less_gap(kernel, hull, farthest)
+        };
+        let lower_bound = least.max(0.0);
         Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }
     }
 

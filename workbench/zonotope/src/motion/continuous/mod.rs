@@ -25,13 +25,16 @@ pub mod by_chord;
 pub mod by_conservative_advancement;
 pub mod by_control_points;
 pub mod by_space_time_volumes;
+mod doubles;
 mod gap;
+mod margin;
 mod meeting;
 mod method;
 mod ordinary_sizes;
 mod rates;
 pub mod rivals;
 mod scene;
+mod simplex_search;
 #[cfg(test)]
 mod tests;
 
