@@ -21,12 +21,6 @@
 //! # Numerics
 //! Volumes are doubles that are made larger by more than their rounding; volumes and contacts are decided exactly.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
 //!
