@@ -119,7 +119,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
             let space = (size * size.isqrt()) as u64;
             let body = Zonotope::new([0.0; 3], generators.collect()).expect("the families are finite");
             timed(format!("{size} generators"), || {
-                let prepared = PreparedByCutting::new(body, space, 1).ok()?;
+                let prepared = PreparedByCutting::new(body, space, 1, &mut ()).ok()?;
                 prepared.contains([1.0; 3]).ok().map(f64::from)
             })
         }
@@ -152,7 +152,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
         _ => {
             let epsilon = *one_of(&PRECISIONS, source);
             timed(format!("{epsilon}, R^{D}, {size} generators"), || {
-                patches_within(&body, epsilon).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+                patches_within(&body, epsilon, &mut ()).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
             })
         }
     }

@@ -124,7 +124,7 @@ fn a_prepared_cutting_takes_the_bytes_that_its_documentation_says() {
         };
         let body = Zonotope::new([0.0; 3], family.generate(256, 2003)).expect("the family is finite");
         for space in [256u64, 4096, 65536] {
-            let held = PreparedByCutting::new(body.clone(), space, 1).expect("the space is enough").bytes();
+            let held = PreparedByCutting::new(body.clone(), space, 1, &mut ()).expect("the space is enough").bytes();
             let a_unit = held as f64 / space as f64;
             assert!(a_unit <= most, "{}: {a_unit} bytes a unit of m = {space}", family.id);
         }

@@ -37,7 +37,7 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         min_total_length::few_generators::fewest::<D> as *const (),
         min_total_length::few_generators::shortest_of_few::<D> as *const (),
         reduction::Method::reduce::<D> as *const (),
-        reduction::by_patches::patches_within_counted::<D> as *const (),
+        reduction::by_patches::patches_within::<D> as *const (),
         reduction::contains::<D> as *const (),
         reduction::Reduced::<D>::distance as *const (),
         hausdorff::hausdorff::<D> as *const (),
@@ -57,10 +57,10 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
 /// The addresses of the functions about bodies under poses.
 pub fn instances_under_poses() -> Vec<*const ()> {
     vec![
-        collision::by_lad::locate_counted::<3, Pose> as *const (),
-        collision::by_lad::gauge_counted::<3, Pose> as *const (),
-        collision::by_lad::nearest_gauge_counted::<3, Pose> as *const (),
-        distance::by_support_simplex::proximity_counted::<3, Pose> as *const (),
-        distance::penetration::by_inner_polytope::penetration_counted::<Pose> as *const (),
+        collision::by_lad::locate::<3, Pose> as *const (),
+        collision::by_lad::gauge::<3, Pose> as *const (),
+        collision::by_lad::nearest_gauge::<3, Pose> as *const (),
+        distance::by_support_simplex::proximity::<3, Pose> as *const (),
+        distance::penetration::by_inner_polytope::penetration::<Pose> as *const (),
     ]
 }

@@ -47,12 +47,6 @@
 //! Which lines cross a trapezoid and in which one a point lies is exact over the whole range of doubles
 //! (`plane.rs`). The choice of cuts is made in doubles with bounds, the same on every machine.
 //!
-//! # Errors
-//! None: a [`LineArrangement`] is finite, and r is not zero by its type.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force): lists of lines, cover without overlap, location; the bounds on the families.
 //!

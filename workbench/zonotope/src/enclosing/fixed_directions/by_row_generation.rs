@@ -52,9 +52,6 @@
 //! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. The
 //! constructor of the problem refuses all other input.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!

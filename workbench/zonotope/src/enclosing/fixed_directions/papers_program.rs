@@ -28,9 +28,6 @@
 //! # Errors
 //! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!

@@ -23,12 +23,6 @@
 //! # Numerics
 //! Gaps at the ends are doubles with bounds, K is a double that is rounded up; contacts are decided exactly.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
 //!

@@ -6,9 +6,9 @@ use super::gap::Stretch;
 use super::margin::Margin;
 use super::meeting;
 use super::simplex_search::{Lowest, Search, search};
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::collision::distance::Proximity;
-use crate::collision::distance::by_support_simplex::proximity_counted;
+use crate::collision::distance::by_support_simplex::proximity;
 use crate::collision::{Location, Query, Separation, Witness};
 use crate::motion::Motion;
 use crate::motion::constant_rate::Clock;
@@ -158,7 +158,7 @@ impl<'a> Scene<'a> {
 
     /// The proof that the bodies meet at a time, or else a direction that separates them as they are rounded then.
     pub(super) fn at(&self, time: f64, tally: &mut dyn Tally) -> Result<Witness, Apart> {
-        let location = self.with_query(time, tally, |query, counts| locate_counted(query, counts));
+        let location = self.with_query(time, tally, |query, counts| locate(query, counts));
         match location {
             None | Some(Location::Outside(Separation::Exact(_))) => Err(None),
             Some(Location::Outside(Separation::Rounded(u))) => Err(Some(SeparatingDirection::Space(u))),
@@ -175,7 +175,7 @@ impl<'a> Scene<'a> {
 
     /// How near the bodies are at a time, as they are rounded then; `None` where that leaves the range of doubles.
     pub(super) fn proximity_at(&self, time: f64, tally: &mut dyn Tally) -> Option<Proximity<3>> {
-        self.with_query(time, tally, |query, counts| proximity_counted(query, counts))
+        self.with_query(time, tally, |query, counts| proximity(query, counts))
     }
 
     /// An answer about the bodies as they are rounded at a time; each pass over all generators counts as one support

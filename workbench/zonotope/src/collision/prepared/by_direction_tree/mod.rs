@@ -49,9 +49,6 @@
 //! # Errors
 //! [`NonFinite`] if a coordinate of a point or direction is NaN or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The kernel without a tree and the rational twin, on all families; the verifier, on every proof that is written out.
 //!
@@ -63,8 +60,8 @@
 //! // the cube [−1, 1]³
 //! let axes = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let tree = DirectionTree::new(&Zonotope::new([0.0; 3], axes).unwrap());
-//! assert_eq!(tree.locate([0.5, 1.0, 0.0]).unwrap().status(), Status::Boundary);
-//! assert_eq!(tree.gauge([2.0, 0.0, 1.0]).unwrap().value, 2.0);
+//! assert_eq!(tree.locate([0.5, 1.0, 0.0], &mut ()).unwrap().status(), Status::Boundary);
+//! assert_eq!(tree.gauge([2.0, 0.0, 1.0], &mut ()).unwrap().value, 2.0);
 //! ```
 
 mod answer;
@@ -196,38 +193,22 @@ impl DirectionTree {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(self.locate(point)?.is_member())
+        Ok(self.locate(point, &mut ())?.is_member())
     }
 
     /// Where a point lies relative to the body, exactly, with a proof that is written out on request.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'_>, NonFinite> {
-        self.locate_counted(point, &mut ())
-    }
-
-    /// [`locate`](Self::locate), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'_>, NonFinite> {
-        self.placed().locate_counted(point, tally)
+    pub fn locate(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'_>, NonFinite> {
+        self.placed().locate(point, tally)
     }
 
     /// How many times the body must be taken, from its centre, to hold a point.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Measured<'_>, NonFinite> {
-        self.gauge_counted(point, &mut ())
-    }
-
-    /// [`gauge`](Self::gauge), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'_>, NonFinite> {
-        self.placed().gauge_counted(point, tally)
+    pub fn gauge(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'_>, NonFinite> {
+        self.placed().gauge(point, tally)
     }
 }

@@ -41,9 +41,6 @@
 //! [`TooManyDirections`](super::MinLengthError::TooManyDirections) ⇔ the net has more than 3000;
 //! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`in_the_plane`](super::in_the_plane) for D = 2; in any dimension the crate `verifier` checks the proof of the
 //! ratio.

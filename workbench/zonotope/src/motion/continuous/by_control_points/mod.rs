@@ -36,12 +36,6 @@
 //! # Numerics
 //! Directions are guesses; a free stretch and a contact are decided exactly. The distance of a grazing is rounded up.
 //!
-//! # Errors
-//! None: motions are finite and their times go from 0 to 1.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force): the gap at rational times in exact numbers; dense sampling with exact queries.
 //!
