@@ -27,7 +27,7 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// A point at (1, 0, 0) that moves by (10, 0, 0) and then turns by a quarter about the z axis, which stays in its place.
+/// A point at (1, 0, 0) that moves by (10, 0, 0) and then turns by a quarter about the z axis.
 fn check(_: &CheckContext) -> Verdict {
     let quarter = Turning {
         axis_point: Vector::at([0; 3]),
@@ -49,8 +49,8 @@ fn check(_: &CheckContext) -> Verdict {
     match volume {
         Err(reason) => Verdict::Inconclusive(reason),
         Ok(volume) if volume.holds(&turned_first) && !volume.holds(&moved_first) => Verdict::Refuted(format!(
-            "a point at {start} that turns by a quarter about the z axis and then moves by {} ends in {turned_first}, in \
-             the volume; one that moves first and turns about the same axis then ends in {moved_first}, outside",
+            "a point at {start} that turns by a quarter about the z axis and then moves by {} ends in {turned_first}, \
+             in the volume; one that moves first and turns about the same axis then ends in {moved_first}, outside",
             quarter.translation
         )),
         Ok(_) => Verdict::Inconclusive(format!("{turned_first} and {moved_first} are no witness")),

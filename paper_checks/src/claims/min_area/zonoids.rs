@@ -59,8 +59,8 @@ fn check(context: &CheckContext) -> Verdict {
     }
     Verdict::InPart(format!(
         "the octahedron conv(±e_i), and so every body within {} of it, is no limit of zonotopes: it has sum of \
-         h(±1,±1,±1) / 8 = {mean} and sum of h(e_i) / 2 = {half}, and {} zonotopes have no less on the left than on the \
-         right, as each segment has; that most bodies are like it is not checked",
+         h(±1,±1,±1) / 8 = {mean} and sum of h(e_i) / 2 = {half}, and {} zonotopes have no less on the left than on \
+         the right, as each segment has; that most bodies are like it is not checked",
         distance(),
         instances.len()
     ))

@@ -13,9 +13,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Halving the time step again and again ends in a confirmed collision or a confirmed miss",
     remedy: Some(
-        "it ends when the bodies are apart during the whole step or overlap for a while; where they touch at one moment \
-            alone a program has to stop at a width, with an outcome of its own: free before, and within a stated \
-            distance then",
+        "it ends when the bodies are apart during the whole step or overlap for a while; where they touch at one \
+            moment alone a program has to stop at a width, with an outcome of its own: free before, and within a \
+            stated distance then",
     ),
     code: &["zonotope::motion::continuous::by_space_time_volumes", "zonotope::motion::continuous"],
     check: Check::Run(check),
@@ -23,7 +23,7 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// So many times the step is halved.
+/// The number of times that the step is halved.
 const HALVINGS: usize = 60;
 
 /// A point that moves from (0, 2, 0) by (3, −3, 0) touches the cube of half-lengths 1 at a third of the step, which no
@@ -50,8 +50,8 @@ fn check(_: &CheckContext) -> Verdict {
         }
     }
     Verdict::Refuted(format!(
-        "a point that moves from (0, 2, 0) by (3, -3, 0) touches the cube of half-lengths 1 at a third of the step alone: \
-         after {HALVINGS} halvings it is outside at both ends of the part around that time, and its volume there, the \
-         exact sweep, touches the cube"
+        "a point that moves from (0, 2, 0) by (3, -3, 0) touches the cube of half-lengths 1 at a third of the step \
+         alone: after {HALVINGS} halvings it is outside at both ends of the part around that time, and its volume \
+         there, the exact sweep, touches the cube"
     ))
 }

@@ -41,7 +41,7 @@ fn check(context: &CheckContext) -> Verdict {
             Ok(volume) => volume,
             Err(error) => return Verdict::Inconclusive(format!("{}: {error}", moving.instance.name)),
         };
-        // the two sides of the square are the added generators that are orthogonal to the axis and as long as the radius
+        // the two sides of the square are the added generators as long as the radius
         let most = &exact * (integer(1) + exactly(EXCESS));
         let sides = volume.generators()[body.generators().len()..].iter().map(|side| Vector::exactly(*side));
         let found = sides.map(|side| side.dot(&side)).filter(|square| *square >= exact && *square <= most).count();

@@ -42,7 +42,7 @@
 use super::bisection::{self, Bound};
 use super::gap::Stretch;
 use super::ordinary_sizes;
-use super::rates::Rates;
+use super::parts::rates::Rates;
 use super::scene::Scene;
 use super::{FirstContact, SeparatingDirection};
 use crate::motion::Motion;

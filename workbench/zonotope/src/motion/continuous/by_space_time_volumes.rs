@@ -39,10 +39,10 @@
 
 use super::FirstContact;
 use super::bisection::{self, Bound};
-use super::body::Body;
 use super::gap::Stretch;
 use super::ordinary_sizes;
-use super::rates::Rates;
+use super::parts::body::Body;
+use super::parts::rates::Rates;
 use super::scene::Scene;
 use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};

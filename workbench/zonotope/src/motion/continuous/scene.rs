@@ -1,10 +1,10 @@
 //! Two moving bodies, and the questions that every method asks about them: a stretch of time, and a moment.
 
 use super::SeparatingDirection;
-use super::body::Body;
 use super::gap::Stretch;
-use super::margin::Margin;
 use super::meeting;
+use super::parts::body::Body;
+use super::parts::margin::Margin;
 use super::simplex_search::{Lowest, Search, search};
 use crate::collision::by_lad::locate;
 use crate::collision::distance::Proximity;
