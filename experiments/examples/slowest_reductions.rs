@@ -171,7 +171,7 @@ fn ask_around<const D: usize>(kind: &str, family: &str, points: &[[f64; D]], sou
             let weights = vec![1.0; directions.len()];
             timed(format!("{n} points, {} directions, R^{D}", directions.len()), || {
                 let problem = FixedDirections::new(points, &directions, &weights).ok()?;
-                min_length_along(&problem).ok()?.optimal().map(|answer| answer.value)
+                min_length_along(&problem, &mut ()).ok()?.optimal().map(|answer| answer.value)
             })
         }
         "min_length_few" => {

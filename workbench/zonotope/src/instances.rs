@@ -33,7 +33,7 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         fixed_directions::brute_force::least_length::<D> as *const (),
         fixed_directions::rational::min_length_in_rationals::<D> as *const (),
         min_total_length::Method::solve::<D> as *const (),
-        min_total_length::by_direction_net::min_length_by_net_counted::<D> as *const (),
+        min_total_length::by_direction_net::min_length_by_net::<D> as *const (),
         min_total_length::few_generators::fewest::<D> as *const (),
         min_total_length::few_generators::shortest_of_few::<D> as *const (),
         reduction::Method::reduce::<D> as *const (),
@@ -48,8 +48,8 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
     ];
     #[cfg(feature = "linear-programming")]
     instances.extend([
-        fixed_directions::support_form::min_length_by_support_form_counted::<D> as *const (),
-        fixed_directions::papers_program::min_length_by_papers_program_counted::<D> as *const (),
+        fixed_directions::support_form::min_length_by_support_form::<D> as *const (),
+        fixed_directions::papers_program::min_length_by_papers_program::<D> as *const (),
     ]);
     instances
 }

@@ -46,11 +46,11 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Enclosure<D>, FixedDirectionsError> {
         match self {
-            Self::RowGeneration => by_row_generation::min_length_along_counted(problem, tally),
+            Self::RowGeneration => by_row_generation::min_length_along(problem, tally),
             #[cfg(feature = "linear-programming")]
-            Self::SupportForm => support_form::min_length_by_support_form_counted(problem, &Clarabel, tally),
+            Self::SupportForm => support_form::min_length_by_support_form(problem, &Clarabel, tally),
             #[cfg(feature = "linear-programming")]
-            Self::PapersProgram => papers_program::min_length_by_papers_program_counted(problem, &Clarabel, tally),
+            Self::PapersProgram => papers_program::min_length_by_papers_program(problem, &Clarabel, tally),
         }
     }
 }

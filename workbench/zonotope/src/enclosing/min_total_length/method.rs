@@ -1,7 +1,7 @@
 //! The registry of the methods, for callers that choose one by name.
 
 use super::answer::{MinLengthError, MinLengthZonotope};
-use super::by_direction_net::min_length_by_net_counted;
+use super::by_direction_net::min_length_by_net;
 use super::by_vertex_sets::min_length_by_vertex_sets;
 use crate::enclosing::min_total_length::direction_net::Net;
 use crate::tables::methods;
@@ -42,8 +42,8 @@ impl Method {
     ) -> Result<MinLengthZonotope<D>, MinLengthError> {
         match self {
             Self::VertexSets => min_length_by_vertex_sets(points, epsilon, tally),
-            Self::DirectionNet => min_length_by_net_counted(points, epsilon, Net::Cells, tally),
-            Self::PapersNet => min_length_by_net_counted(points, epsilon, Net::Paper, tally),
+            Self::DirectionNet => min_length_by_net(points, epsilon, Net::Cells, tally),
+            Self::PapersNet => min_length_by_net(points, epsilon, Net::Paper, tally),
         }
     }
 }
