@@ -42,7 +42,10 @@ macro_rules! methods {
         pub enum Method;
         $(#[doc = $cost_about:literal])*
         fn cost;
-        $( $(#[doc = $row_about:literal])* $(#[cfg($on:meta)])? $variant:ident => $id:expr, $title:expr, $cost:literal; )+
+        $(
+            $(#[doc = $row_about:literal])* $(#[cfg($on:meta)])?
+            $variant:ident => $id:expr, $title:expr, $cost:literal;
+        )+
     ) => {
         $(#[doc = $about])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -16,8 +16,8 @@ use crate::tally::Tally;
 use crate::zonotope::faces::FacesError;
 
 methods! {
-    /// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
-    /// alone.
+    /// A method that locates a displacement. The methods that need an engine exist with the feature
+    /// `linear-programming` alone.
     pub enum Method;
     /// The cost of a question with n generators.
     fn cost;

@@ -7,8 +7,8 @@ use crate::tables::methods;
 use crate::tally::Tally;
 
 methods! {
-    /// A method whose answers contain the points exactly and prove their lower bounds: [`by_kernel`](super::by_kernel) with
-    /// a method of the kernel, after which it is called.
+    /// A method whose answers contain the points exactly and prove their lower bounds: [`by_kernel`](super::by_kernel)
+    /// with a method of the kernel, after which it is called.
     pub enum Method;
     /// The cost for n points, h of them vertices of the hull.
     fn cost;

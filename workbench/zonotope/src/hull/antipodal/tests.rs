@@ -10,7 +10,8 @@ proptest! {
     #[test]
     fn rotating_calipers_agree_with_brute_force(points in point_sets()) {
         let hull = convex_hull(&points, &mut ()).expect("the points are finite");
-        prop_assert_eq!(by_rotating_calipers::farthest_vertices(&hull, &mut ()), brute_force::farthest_vertices(&hull, &mut ()));
+        let found = by_rotating_calipers::farthest_vertices(&hull, &mut ());
+        prop_assert_eq!(found, brute_force::farthest_vertices(&hull, &mut ()));
     }
 }
 
