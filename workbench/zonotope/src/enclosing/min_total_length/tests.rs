@@ -61,7 +61,8 @@ proptest! {
         let truth = in_the_plane::least_length(&points);
         for net in [Net::Paper, Net::Cells] {
             for epsilon in [0.5, 0.1, 0.03] {
-                let answer = by_direction_net::min_length_by_net(&points, epsilon, net, &mut ()).expect("finite points");
+                let answer = by_direction_net::min_length_by_net(&points, epsilon, net, &mut ());
+                let answer = answer.expect("finite points");
                 prop_assert!(answer.value <= (1.0 + epsilon) * truth + 1e-12);
                 prop_assert!(answer.lower_bound <= truth * (1.0 + 1e-11));
             }
