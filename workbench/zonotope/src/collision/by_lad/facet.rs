@@ -40,7 +40,7 @@
 //! let facet = by_lad::facet(&query, &mut ());
 //! assert_eq!(facet.value().0, 2.0);
 //! assert!(!facet.is_member());
-//! assert_eq!(facet.location().status().name(), "outside");
+//! assert_eq!(facet.location(&mut ()).status().name(), "outside");
 //! ```
 
 use crate::collision::proof::of_optimum;

@@ -2,13 +2,13 @@
 //!
 //! | notation | meaning in every stage |
 //! |---|---|
-//! | p | the displacement of the query, nonzero once the ladder is climbed |
+//! | p | the displacement of the query |
 //! | v, v_i | a generator: its segment is { δ v : abs(δ) ≤ 1 } |
 //! | u | a direction of the plane u · p = 1, or any multiple of it |
 //! | h(u) | the support value Σ abs(v_i · u) of the body: the objective |
 //! | λ | h(u) / u · p at the optimal u: the body holds λ p and no larger multiple, so 1 / λ is the gauge of p |
 //! | μ | a rounded number near λ, of which a proof is made |
-//! | s | the signs of v_i · u, one for each generator |
+//! | sign | that of v · u, of one generator |
 //! | g | the sum of all generators with their signs but those of a vertex: g + δ_a v_a + δ_b v_b = λ p |
 //! | δ, share | a coefficient in \[−1, 1\] that is solved for: of a generator whose sign at u is 0 |
 //! | vertex | a pair of generators a, b, and with it the direction ±a × b |
