@@ -9,7 +9,7 @@ use crate::tables::named_variants;
 /// The stage of a query in which a rung stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
-    /// A location that is told without an optimum: points far inside and far outside.
+    /// A location that is found without an optimum: points far inside and far outside.
     Early,
     /// The minimum of the support function over the plane of directions.
     Optimum,

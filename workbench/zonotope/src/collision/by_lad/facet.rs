@@ -40,7 +40,7 @@
 //! let facet = by_lad::facet(&query, &mut ());
 //! assert_eq!(facet.value().0, 2.0);
 //! assert!(!facet.is_member());
-//! assert_eq!(facet.location().status().name(), "outside");
+//! assert_eq!(facet.location(&mut ()).status().name(), "outside");
 //! ```
 
 use crate::collision::proof::of_optimum;
@@ -54,7 +54,8 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
 
-/// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
+/// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status at once, the full
+/// proof on demand.
 #[derive(Debug)]
 pub struct Facet<'q> {
     query: &'q dyn KernelQuery,
@@ -101,7 +102,7 @@ impl<'q> Facet<'q> {
         Gauge { value, error, location: self.location(tally) }
     }
 
-    /// Where the displacement lies, with its proof. O(n) for a member, else O(1) nearly always.
+    /// The location of the displacement, with its proof. O(n) for a member, else O(1) nearly always.
     pub fn location(&self, tally: &mut dyn Tally) -> Location<3> {
         of_optimum::location(self.query, &self.optimum, tally)
     }

@@ -38,7 +38,7 @@ pub(super) fn are_known(query: &impl KernelQuery) -> bool {
     is_known && Lengths::of(query) != Lengths::Own
 }
 
-/// The status of p with its proof, if that is clear.
+/// The status of p with its proof, if p is far from the boundary.
 pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     let (y, is_thick) = Moments::at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
     if !is_thick {

@@ -88,7 +88,7 @@ fn boundary_point(body: &[[f64; 3]], number: usize, random: &mut Pcg64Mcg) -> [f
     }
 }
 
-/// How far along the ray to a point of the boundary a question's point lies.
+/// The place of a question's point along the ray to a point of the boundary.
 const REACHES: [f64; 12] = [
     1.0,
     1.0 + 1e-9,

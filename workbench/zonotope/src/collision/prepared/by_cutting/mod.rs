@@ -74,7 +74,7 @@
 //! use zonotope::collision::{Status, prepared::by_cutting::PreparedByCutting};
 //! // the cube [−1, 1]³ with all the space that three generators can use
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).unwrap();
-//! let prepared = PreparedByCutting::new(cube, 9, 0).unwrap();
+//! let prepared = PreparedByCutting::new(cube, 9, 0, &mut ()).unwrap();
 //! let facet = prepared.facet([2.0, 0.5, -1.0], &mut ()).unwrap();
 //! assert_eq!((facet.value().0, facet.status()), (2.0, Status::Outside));
 //! assert_eq!(prepared.contains([1.0, -1.0, 0.25]), Ok(true));

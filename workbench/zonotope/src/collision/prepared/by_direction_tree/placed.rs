@@ -72,7 +72,7 @@ impl DirectionTree {
 }
 
 impl<'t, P: Standing> PlacedTree<'t, P> {
-    /// Where a point lies relative to the body, exactly, with a proof that is written out on request.
+    /// The location of a point relative to the body, exactly, with a proof that is written out on request.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -80,7 +80,7 @@ impl<'t, P: Standing> PlacedTree<'t, P> {
         Ok(self.query_about(point)?.located(tally))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point.
+    /// The gauge: the number of times that the body must be taken, from its centre, to hold a point.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -88,13 +88,13 @@ impl<'t, P: Standing> PlacedTree<'t, P> {
         Ok(self.query_about(point)?.measured(tally))
     }
 
-    /// How two bodies meet where they stand (Lemma 5.1), exactly: inside if their interiors have a point in common,
-    /// boundary if they only touch or their sum is flat, outside if they are disjoint.
+    /// The status of two bodies where they stand (Lemma 5.1), exactly: inside if their interiors have a point in
+    /// common, boundary if they only touch or their sum is flat, outside if they are disjoint.
     pub fn intersection(&self, other: &Self, tally: &mut dyn Tally) -> Located<'t, P> {
         self.query_between(other).located(tally)
     }
 
-    /// How many times both bodies must be taken, each about its centre, until they touch.
+    /// The number of times that both bodies must be taken, each about its centre, until they touch.
     pub fn gauge_between(&self, other: &Self) -> Measured<'t, P> {
         self.query_between(other).measured(&mut ())
     }

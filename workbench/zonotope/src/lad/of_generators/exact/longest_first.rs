@@ -21,7 +21,7 @@ use crate::tally::{Operation, Tally};
 /// At most one generator in this number is among the longest.
 const LONGEST_SHARE: usize = 4;
 
-/// Where lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
+/// If lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
 /// all.
 const EVEN_SHARE: usize = 16;
 
