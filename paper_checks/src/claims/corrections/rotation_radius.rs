@@ -39,7 +39,7 @@ fn check(_: &CheckContext) -> Verdict {
         .map_err(|error| error.to_string())
         .and_then(|point| {
             // an angle a little above the quarter turn
-            let sweep = Sweep::new([0.0; 3], [0.0, 0.0, 1.0], 1.5708, [10.0, 0.0, 0.0]);
+            let sweep = Sweep::new([0.0; 3], [0.0, 0.0, 1.0], 1.6, [10.0, 0.0, 0.0]);
             sweep.and_then(|sweep| point.swept_by(&sweep, Method::ByFarthestVertex)).map_err(|error| error.to_string())
         })
         .map(|volume| exact_body(&volume));
