@@ -4,7 +4,7 @@ use super::SeparatingDirection;
 use super::gap::Stretch;
 use super::meeting;
 use super::parts::body::Body;
-use super::parts::margin::Margin;
+use super::parts::margin::{self, Margin};
 use super::simplex_search::{Lowest, Search, search};
 use crate::collision::by_lad::locate;
 use crate::collision::distance::Proximity;
@@ -107,10 +107,10 @@ impl<'a> Scene<'a> {
         if bound.iter().all(|c| c.is_positive()) {
             return true;
         }
-        // a bound that is infinite or NaN says nothing
+        // a bound that is infinite or NaN says nothing, and neither does a margin beyond the doubles
         let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
         let margins = self.margins(times);
-        if bound.iter().any(is_refuted) || margins.iter().any(|margin| !margin.distance.is_finite()) {
+        if bound.iter().any(is_refuted) || !margin::along(&margins, direction).is_finite() {
             return false;
         }
         tally.add(Operation::ExactFallback, 1);
