@@ -15,7 +15,7 @@ pub(super) struct PresentSites<S> {
     present: Presence,
 }
 
-/// Where a tangent touches the locations.
+/// The location that a tangent touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LocationTangent {
     /// At a location.

@@ -1,4 +1,4 @@
-//! What updates and queries cost, in orientation tests and in bytes.
+//! The costs of updates and of queries, in orientation tests and in bytes.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
