@@ -1,5 +1,7 @@
 //! Pairs of moving bodies of the families as the library and the verifier take them, at a clearance, with the least
-//! distance that samples see.
+//! distance that samples see; [`soundness`] holds answers to samples.
+
+pub mod soundness;
 
 use families::motions::{BodyRow, Course, MotionFamily, MovingPair};
 use verifier::FirstContactProof;
@@ -21,6 +23,9 @@ const HALVINGS: u32 = 16;
 
 /// The part by which the least distance may be more than the clearance.
 const CLEARANCE_EXCESS: f64 = 0.01;
+
+/// The factor by which rounding may make a bound of a speed too small, and more.
+const SPEED_ROUNDING: f64 = 1.0 + 1e-12;
 
 /// Steps of the search for the place at which the clearance is as it should be.
 const STEP_LIMIT: u32 = 60;
@@ -86,6 +91,23 @@ impl MovingBodies {
         let [p, q] = self.motions.each_ref().map(|motion| motion.pose_at(time));
         let [a, b] = &self.bodies;
         p.zip(q).map_or(f64::NAN, |(p, q)| a.at(&p).distance(b.at(&q)))
+    }
+
+    /// A bound above the speed of any point of either body against the other.
+    fn speed(&self) -> f64 {
+        let of_body = |i: usize| {
+            let Course { axis_point, axis, angle, translation } = self.courses[i];
+            let norm = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let off_axis = |[x, y, z]: [f64; 3]| {
+                let [a, b, c] = axis;
+                norm([b * z - c * y, c * x - a * z, a * y - b * x]) / norm(axis)
+            };
+            let center = self.bodies[i].center();
+            let arm = off_axis([0, 1, 2].map(|k| center[k] - axis_point[k]));
+            let reach = self.bodies[i].generators().iter().fold(arm, |sum, g| sum + off_axis(*g));
+            angle.abs() * reach + norm(translation)
+        };
+        (of_body(0) + of_body(1)) * SPEED_ROUNDING
     }
 
     /// The least distance that samples see: equally spaced ones, and more of them around the lowest.
