@@ -2,6 +2,7 @@
 //! distance that samples see; [`soundness`] holds answers to samples.
 
 pub mod soundness;
+pub mod swept;
 
 use families::motions::{BodyRow, Course, MotionFamily, MovingPair};
 use verifier::FirstContactProof;
