@@ -36,7 +36,6 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "farthest-vertex-from-axis",
         "theorem-6.1",
         "any-schedule",
-        "question-4d-intersection",
     ],
     experiments: &["motion-strength", "motion-clearance", "motion-misses", "swept-excess", "space-time-scaling"],
     commands: &[(
