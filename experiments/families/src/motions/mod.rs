@@ -1,7 +1,7 @@
 //! Families of moving bodies: inputs of everything that is asked about motion.
 //!
 //! In each of the nine scenes two bodies move past each other, and the second one is moved aside, so that they come as
-//! near each other as is asked for; in `fast_boxes` everything is drawn at random, and about half of the pairs
+//! near each other as is asked for; in `fast_boxes` everything is drawn at random, so that some of the pairs
 //! collide, and `crafted_motions` are drawn from short lists.
 //!
 //! | family | motion |
