@@ -78,9 +78,9 @@ impl MovingBodies {
             if beyond <= CLEARANCE_EXCESS * clearance {
                 return Self::of(&pair.moved_aside(high));
             }
+            // as near as the distance allows, and at least to the middle
             let middle = low + (high - low) / 2.0;
-            let next = (high - beyond - 0.5 * CLEARANCE_EXCESS * clearance).min(middle).max(low);
-            // first twice as far as the distance allows, then no farther than the middle
+            let next = (high - beyond + 0.5 * CLEARANCE_EXCESS * clearance).min(middle).max(low);
             let found = distance(next)? - clearance;
             if found < 0.0 { low = next } else { (high, beyond) = (next, found) }
         }

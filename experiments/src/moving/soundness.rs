@@ -177,6 +177,17 @@ mod tests {
         }
     }
 
+    #[test]
+    fn collisions_of_public_reports_are_found_and_proved() {
+        for (id, seed) in [("parry_317", 0), ("rapier_js_258", 0), ("rapier_js_258", 1)] {
+            let moving = MovingBodies::of(&find(id).expect("a family").generate(seed)).expect("a motion");
+            let (bodies, motions) = (moving.bodies.each_ref(), moving.motions.each_ref());
+            let found = Method::default().first_contact(bodies, motions, RESOLUTION, &mut ());
+            assert!(matches!(found, FirstContact::Contact { .. }), "{id} {seed}: {found:?}");
+            assert!(moving.check(RESOLUTION, &found).is_right(), "{id} {seed}");
+        }
+    }
+
     /// A longer free time than the true one is contradicted, so that the check can fail.
     #[test]
     fn an_answer_that_misses_a_collision_is_contradicted() {

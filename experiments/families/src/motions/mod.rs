@@ -17,6 +17,7 @@
 //! | `spinning_prism` | a prism of ten generators spins beside a plate, always as near |
 //! | `fast_boxes` | random boxes, turning several times while they fly past each other |
 //! | `crafted_motions` | what random draws miss: grazing, whole turns, thin bodies, axes through a body and far away |
+//! | `parry_317`, `rapier_js_258` | collisions of public reports, which a library missed |
 
 mod arms;
 mod around;
@@ -24,6 +25,7 @@ mod catalog;
 mod crafted;
 mod family;
 mod fast;
+mod reported;
 mod shapes;
 mod spinning;
 
