@@ -28,6 +28,9 @@ const CLEARANCE_EXCESS: f64 = 0.01;
 /// The factor by which rounding may make a bound of a speed too small, and more.
 const SPEED_ROUNDING: f64 = 1.0 + 1e-12;
 
+/// The farthest that the second body is moved aside at once: scenes are a few units large.
+const FARTHEST_ASIDE: f64 = 1e3;
+
 /// Steps of the search for the place at which the clearance is as it should be.
 const STEP_LIMIT: u32 = 60;
 
@@ -65,13 +68,20 @@ impl MovingBodies {
         let pair = family.generate(seed);
         let distance = |aside: f64| Self::of(&pair.moved_aside(aside)).map(|moving| moving.least_distance());
         // the distance changes by no more than the body is moved
-        let [mut low, mut high] = [0.0, 1.0];
+        let (mut low, mut step) = (0.0, 1.0);
+        while distance(low)? >= clearance {
+            if step > FARTHEST_ASIDE {
+                return Err(format!("{}: the bodies do not come near by moving one back", family.id));
+            }
+            (low, step) = (low - step, 2.0 * step);
+        }
+        let mut high = low + 1.0;
         let mut beyond = distance(high)? - clearance;
         while beyond < 0.0 {
-            if high > 1e3 {
+            if high - low > FARTHEST_ASIDE {
                 return Err(format!("{}: the bodies are not parted by moving one aside", family.id));
             }
-            (low, high) = (high, 2.0 * high);
+            (low, high) = (high, high + 2.0 * (high - low));
             beyond = distance(high)? - clearance;
         }
         for _ in 0..STEP_LIMIT {

@@ -26,7 +26,7 @@ pub static CLAIM: Claim = Claim {
 /// Parts of an arc at whose ends a point of it is taken.
 const PARTS: i64 = 8;
 
-/// The square that the library adds is around the common origin and holds points of every arc, by exact products.
+/// The square that the library adds is around the common origin and holds points of every arc, by exact determinants.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 170);
     let (mut squares, mut arcs, mut points) = (0, 0, 0);
@@ -47,14 +47,13 @@ fn check(context: &CheckContext) -> Verdict {
         let [first, second] = &sides[..] else {
             return Verdict::Refuted(format!("{name}: {} sides are as long as the radius", sides.len()));
         };
-        if first.dot(second) != integer(0) || [first, second].iter().any(|side| side.dot(&turning.axis) != integer(0)) {
-            return Verdict::Refuted(format!("{name}: the sides are no square in the plane of the arcs"));
-        }
+        // coefficients of the sides by determinants, as they are seen along the axis
+        let determinant = |a: &Vector, b: &Vector| turning.axis.dot(&a.cross(b));
+        let area = determinant(first, second);
+        let most = if area < integer(0) { -area } else { area };
         let is_held = |moved: &Vector| {
-            [first, second].iter().all(|side| {
-                let (along, most) = (moved.dot(side), side.dot(side));
-                -&most <= along && along <= most
-            })
+            let parts = [determinant(moved, second), determinant(first, moved)];
+            parts.iter().all(|part| -&most <= *part && *part <= most)
         };
         for vertex in &vertices {
             let arm = turning.axis_point.to(vertex);
