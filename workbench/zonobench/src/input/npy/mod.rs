@@ -127,10 +127,11 @@ impl<'a> Array<'a> {
     }
 
     fn of_numbers(data: &'a [u8], kind: &str, shape: &[usize], is_fortran: bool) -> Result<Self, Problem> {
-        let item = Item::parse(kind).ok_or_else(|| broken(&format!("numbers of the type '{kind}' are not read")))?;
+        let item = Item::parse(kind).ok_or_else(|| unread_type(kind))?;
         let &[rows, columns] = shape else {
             let found = shape.len();
-            return Err(broken(&format!("the array has {found} dimension(s), not 2: a row for each point")));
+            let problem = format!("the array has {found} dimension(s), not 2: a row for each point");
+            return Err(Problem::Shape(problem));
         };
         check_rows(rows)?;
         let expected = rows.checked_mul(columns).and_then(|count| count.checked_mul(item.bytes()));
@@ -144,13 +145,14 @@ impl<'a> Array<'a> {
     fn of_records(data: &'a [u8], fields: &[header::Field], shape: &[usize]) -> Result<Self, Problem> {
         let &[rows] = shape else {
             let found = shape.len();
-            return Err(broken(&format!("the records have {found} dimension(s), not 1: a record for each point")));
+            let problem = format!("the records have {found} dimension(s), not 1: a record for each point");
+            return Err(Problem::Shape(problem));
         };
         check_rows(rows)?;
         let (mut columns, mut bytes) = (Vec::new(), 0_usize);
         for field in fields {
             let length = item::bytes_of(field.kind)
-                .ok_or_else(|| broken(&format!("fields of the type '{}' are not read", field.kind)))?;
+                .ok_or_else(|| Problem::Shape(format!("fields of the type '{}' are not read", field.kind)))?;
             if field.count > COLUMN_LIMIT - columns.len() {
                 return Err(Problem::TooMany { what: "numbers in a record", limit: COLUMN_LIMIT });
             }
@@ -202,10 +204,7 @@ impl<'a> Array<'a> {
             Layout::Grid { item, columns, .. } => (item, (row * columns + column) * item.bytes()),
             Layout::Records { bytes, columns } => {
                 let Column { name, item, start } = &columns[column];
-                let item = item.as_ref().map_err(|kind| {
-                    let problem = broken(&format!("numbers of the type '{kind}' are not read"));
-                    problem.at(file, Place::Path(name.clone()))
-                })?;
+                let item = item.as_ref().map_err(|kind| unread_type(kind).at(file, Place::Path(name.clone())))?;
                 (item, start + row * bytes)
             }
         };
@@ -215,6 +214,11 @@ impl<'a> Array<'a> {
 
 fn check_rows(rows: usize) -> Result<(), Problem> {
     if rows > MAX_POINTS { Err(Problem::TooMany { what: "points", limit: MAX_POINTS }) } else { Ok(()) }
+}
+
+/// The complaint about numbers of a type that doubles do not stand for.
+fn unread_type(kind: &str) -> Problem {
+    Problem::Shape(format!("numbers of the type '{kind}' are not read; real numbers of at most 64 bits are"))
 }
 
 fn broken(complaint: &str) -> Problem {
