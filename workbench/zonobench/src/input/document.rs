@@ -113,7 +113,7 @@ impl Choice<'_> {
     fn places_in_list(&self, cells: usize) -> Result<Vec<usize>, Problem> {
         match self.columns {
             Some(columns) => names::chosen(&vec![String::new(); cells], columns, &format!("numbered 1 to {cells}")),
-            None if self.wanted.takes_all(cells) => Ok((0..cells).collect()),
+            None if self.wanted.takes_all(cells, false) => Ok((0..cells).collect()),
             None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words() }),
         }
     }

@@ -4,8 +4,6 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::points::Wanted;
-
 /// A complaint about a data file: the file, the place in it, and what is wrong there.
 #[derive(Debug, Error)]
 #[error("{}: {}{problem}", .file.display(), .place.prefix())]
@@ -250,12 +248,15 @@ pub enum Problem {
     Table(String),
 }
 
+/// The number of columns of points of the plane.
+pub(super) const TWO: &str = "two";
+
 /// The advice where the columns of the coordinates are not plain: the words to be added, if there are enough columns.
 fn choice(cells: usize, wanted: &str) -> String {
     match cells {
         0 | 1 => format!("points need {wanted}"),
         2 => format!("choose {wanted} with --columns, such as --columns 1,2"),
-        _ if wanted == Wanted::Planar.in_words() => format!("choose {wanted} with --columns, such as --columns 1,2"),
+        _ if wanted == TWO => format!("choose {wanted} with --columns, such as --columns 1,2"),
         _ => format!("choose {wanted} with --columns, such as --columns 1,2,3 or --columns 1,2"),
     }
 }

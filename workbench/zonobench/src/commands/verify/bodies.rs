@@ -91,10 +91,10 @@ fn ask_again(
                 placed.pose = Some(read);
             }
             hashes.push(origin.sha256);
-            bodies.push(match about {
-                // rounded before it was reduced
-                About::Reduce => zonotope_of(&placed.rounded(file)?.body),
-                _ => placed.question(),
+            bodies.push(if about.takes_rounded() {
+                zonotope_of(&placed.rounded(file)?.body)
+            } else {
+                placed.question()
             });
         } else {
             let reading = asking.points.or(&record.points).source(file)?.read(Wanted::Any)?;

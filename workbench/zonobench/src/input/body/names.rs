@@ -5,16 +5,9 @@ use std::path::Path;
 
 use crate::input::error::{InputError, Place, Problem};
 use batch::json::Tree;
+use batch::names::POINT;
 
-/// The names of the centre.
-pub(super) const CENTERS: [&str; 3] = ["center", "centre", "c"];
-
-/// The name of the centre beside a matrix G in pypolycontain.
-const POINT: &str = "x";
-
-/// The names of the generators: a list of vectors, or the rows of a matrix whose columns are the vectors.
-pub(super) const LIST: &str = "generators";
-pub(super) const MATRIX: &str = "G";
+pub(super) use batch::names::{CENTERS, GENERATORS as LIST, MATRIX};
 
 /// The name of the placement.
 pub(super) const POSE: &str = "pose";
@@ -95,8 +88,8 @@ impl<'a> Holder<'a> {
             fields.iter().filter(|(name, value)| !known.contains(&name.as_str()) && *value != Tree::Null)
         {
             if is_old_matrix_of_cora(name, value) {
-                let problem = "this is the matrix [c G] of CORA: write its first column as `c` and the other columns as \
-                               `G`, or the matrix as a table of numbers, which the options \
+                let problem = "this is the matrix [c G] of CORA: write its first column as `c` and the other columns \
+                               as `G`, or the matrix as a table of numbers, which the options \
                                --columns-are-generators and --center-first are for";
                 return Err(self.wrong(name, problem));
             }

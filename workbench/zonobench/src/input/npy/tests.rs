@@ -82,7 +82,7 @@ fn columns_are_chosen_by_number() {
     assert_eq!(reading.points, Points::Plane(vec![[3.0, 1.0], [6.0, 4.0]]));
     assert_eq!(reading.in_words().as_deref(), Some("3, 1; left out: column 2"));
     let complaint = |columns: Option<&str>| read(&content, columns, Wanted::Planar).expect_err("a wrong choice");
-    assert_eq!(complaint(None), "p.npy: has 3 column(s); choose two with --columns");
+    assert_eq!(complaint(None), "p.npy: has 3 column(s); choose two with --columns, such as --columns 1,2");
     assert_eq!(complaint(Some("1,4")), "p.npy: there is no column 4; the row has 3 cells");
     assert_eq!(complaint(Some("x,y")), "p.npy: there is no column 'x'; the columns are numbered 1 to 3");
 }
@@ -112,6 +112,28 @@ fn fields_of_records_are_columns() {
         complaint(Some("x,w")).ends_with("there is no column 'w'; the columns are id, Z, X, Y, normal[0], normal[1]")
     );
     assert_eq!(complaint(Some("x,normal[1]")), "p.npy: [0][5]: 'NaN' is not a finite number");
+}
+
+/// The field of a position holds the points, whatever else the records have.
+#[test]
+fn the_position_of_records_holds_the_points() {
+    let of = |name: &str, shape: &str| {
+        let header = format!(
+            "{{'descr': [('id', '|u1'), ('{name}', '|u1', {shape}), ('normal', '|u1', (3,))], \
+             'fortran_order': False, 'shape': (1,)}}"
+        );
+        let count = if shape == "(3,)" { 7 } else { 6 };
+        file_with(1, &header, &[7, 1, 2, 3, 4, 5, 6][..count])
+    };
+    for wanted in [Wanted::PlaneOrSpace, Wanted::Any] {
+        let reading = read(&of("Pos", "(3,)"), None, wanted).expect("points of space");
+        assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
+        let left_out = "Pos[0], Pos[1], Pos[2]; left out: id, normal[0], normal[1], normal[2]";
+        assert_eq!(reading.in_words().as_deref(), Some(left_out));
+        assert_eq!(read(&of("xy", "(2,)"), None, wanted).expect("points").points, Points::Plane(vec![[1.0, 2.0]]));
+        let unnamed = read(&of("velocity", "(3,)"), None, wanted).expect_err("no field is a position");
+        assert!(unnamed.contains("has 7 column(s); choose two to four with --columns"), "{unnamed}");
+    }
 }
 
 #[test]

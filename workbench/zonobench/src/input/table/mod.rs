@@ -246,14 +246,14 @@ impl<'a> Table<'a> {
             if wanted == Wanted::Planar && coordinates > 2 {
                 return Err(at_first(Problem::ThirdCoordinate));
             }
-            if wanted.takes_all(coordinates) || coordinates == 3 {
+            if wanted.takes_all(coordinates, false) {
                 return Ok((from..from + coordinates).collect());
             }
         }
         let numbers = first.iter().skip(from).filter(|cell| is_number(cell)).count();
         // There is something to choose only where numbers are left beside the text.
         let of_text = column_of_text(first, start.second.as_ref()).filter(|_| numbers >= 2);
-        if wanted.takes_all(cells) && of_text.is_none() {
+        if wanted.takes_all(cells, !has_number(first)) && of_text.is_none() {
             return Ok((from..first.len()).collect());
         }
         let wanted = wanted.in_words();

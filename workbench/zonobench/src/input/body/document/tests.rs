@@ -176,7 +176,8 @@ fn a_pose_that_cannot_be_taken_is_named() {
     let posed = |pose: &str| refused(&format!(r#"{{"center":[1,2],"generators":[[1,0]],"pose":{pose}}}"#));
     assert_eq!(posed("{}"), "z.json: `pose` has neither `matrix` nor `translation`");
     assert_eq!(posed(r#"{"matrix":[[1,0,0],[0,1,0],[0,0,1]]}"#), "z.json: pose, matrix has 3 rows, not 2");
-    assert_eq!(posed(r#"{"rotation":[[1,0],[0,1]]}"#), "z.json: extra field `rotation` in `pose`");
+    let known = "; a pose has `matrix`, `translation` or both";
+    assert_eq!(posed(r#"{"rotation":[[1,0],[0,1]]}"#), format!("z.json: extra field `rotation` in `pose`{known}"));
     assert_eq!(
         posed(r#"{"translation":[1,"NaN"]}"#),
         "z.json: pose, translation, coordinate 2 is a string, not a number"
