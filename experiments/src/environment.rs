@@ -13,7 +13,8 @@ pub const REVISION_VARIABLE: &str = "ZONOBENCH_REVISION";
 pub struct Environment {
     /// The version of this package.
     pub version: String,
-    /// Source revision, with `-dirty` for a changed tree; `unknown` without a repository.
+    /// Revision of the sources when the program ran, with `-dirty` for a changed tree; `unknown` without a repository.
+    /// The program may have been built of another one: [`program`](Self::program) tells programs apart.
     pub revision: String,
     /// The compiler with its version.
     pub toolchain: String,
