@@ -101,7 +101,11 @@ fn summary(
         };
         table.row("ratio", format!("{}, {is_checked}{above}", factor_at_most(ratio)));
         if let Some(volume) = result["volume"].as_f64() {
-            table.row("volume", format!("{}, a local minimum: another zonotope may have less", figure(volume)));
+            let minimum = match volume {
+                0.0 => "the least that there is: the zonotope is flat",
+                _ => "a local minimum: another zonotope may have less",
+            };
+            table.row("volume", format!("{}, {minimum}", figure(volume)));
         }
         let is_least_length = directions.is_none() && !is_asked("objective");
         for (label, text) in comparison::rows(points, body, is_least_length) {

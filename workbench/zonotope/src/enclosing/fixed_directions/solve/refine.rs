@@ -1,8 +1,8 @@
 //! The fallback of the methods in floating point: small problems whose bounds do not meet are solved in rationals.
 //!
 //! The program is solved for an active set of points. Its optimum proves a lower bound; rounded, and enlarged until it
-//! contains all points, it is a candidate for the answer. A point for which the candidate was enlarged joins the active
-//! set, and the program is solved again.
+//! contains all points, it is a candidate for the answer. The points for which the candidate was enlarged join the
+//! active set, and the program is solved again.
 
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
 use crate::enclosing::fixed_directions::contain::contain;
@@ -63,10 +63,10 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
             answer.multipliers =
                 multipliers.map(|(point, vector)| Multiplier { point: active[point], vector }).collect();
         }
-        let mut missed = None;
+        let known = active.len();
         for center in centers {
             let Ok(candidate) = contain(problem, scaled, center, &coefficients, map) else { continue };
-            let (zonotope, worst) = (candidate.zonotope, candidate.worst);
+            let zonotope = candidate.zonotope;
             let is_tight = zonotope.value - lower_bound <= TIGHT_RELATIVE_GAP * lower_bound;
             if zonotope.value < answer.value {
                 (answer.center, answer.coefficients, answer.value) =
@@ -75,11 +75,11 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
             if is_tight {
                 return Ok(());
             }
-            missed = worst.filter(|point| !active.contains(point)).or(missed);
+            let missed = candidate.enlarged_for.into_iter().filter(|point| !active[..known].contains(point));
+            active.extend(missed.collect::<Vec<usize>>());
         }
-        match missed {
-            Some(point) => active.push(point),
-            None => return Ok(()),
+        if active.len() == known {
+            return Ok(());
         }
     }
 }

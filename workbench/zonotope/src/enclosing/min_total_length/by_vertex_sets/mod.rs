@@ -92,6 +92,7 @@ mod scalar;
 mod set_generation;
 mod start;
 mod vertex_sets;
+mod work;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::conclude::{around_equal_points, conclude, proven, validate};
@@ -104,7 +105,9 @@ use crate::numeric::linear::dot;
 use crate::tally::Tally;
 pub(super) use outer_points::outer_points;
 use scalar::Scalar;
-use set_generation::{WORK_LIMIT, min_length_by_set_generation};
+use set_generation::min_length_by_set_generation;
+use work::Work;
+pub(super) use work::limit_around;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points
 /// read and rounds.
@@ -146,10 +149,10 @@ fn around_outer<const D: usize>(
             conclude(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
-            let mut work = 0.0;
+            let mut work = Work::around(points.len());
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             // Pairs of doubles help where rounding ended the search, not where its work was used up.
-            if answer.proof.outcome == Outcome::WithinEpsilon || work > WORK_LIMIT {
+            if answer.proof.outcome == Outcome::WithinEpsilon || work.is_used_up(frame.rank()) {
                 return Ok(answer);
             }
             let other =
@@ -179,7 +182,7 @@ fn around_by_set_generation<R: Scalar, const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
     best: &mut BestBound<D>,
-    work: &mut f64,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let found = min_length_by_set_generation::<R, D>(frame, epsilon, best, work, tally);
