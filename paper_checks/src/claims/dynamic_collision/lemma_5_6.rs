@@ -107,9 +107,8 @@ impl Site for Counted<'_> {
     }
 }
 
-/// Orientation tests of building a hull, over n log n, and of a deletion, an insertion and two tangents, over log² n, of
-/// which a step takes one of each and up to eight tangents: in sets of points on a parabola, all of them vertices, and
-/// in a square.
+/// Orientation tests of building a hull, over n log n, and of a deletion, an insertion and two tangents, over log² n. A
+/// step takes one of each and up to eight tangents; the points lie on a parabola, all of them vertices, or in a square.
 fn growth_evidence(context: &CheckContext) -> Result<String, String> {
     let mut random = generator(context.seed, 90);
     let mut evidence = Vec::new();

@@ -188,6 +188,15 @@ mod tests {
     }
 
     #[test]
+    fn numbers_may_be_written_as_strings() {
+        let expected = Ok(vec![[1.0, 2.5], [3.0, 4.0]]);
+        assert_eq!(read(r#"[["1","2.5"],["3",4]]"#, None), expected);
+        assert_eq!(read(r#"[{"x":" 1","y":"2.5"},{"x":"3","y":"4e0"}]"#, None), expected);
+        assert!(read(r#"[["1","2,5"]]"#, None).expect_err("a comma").contains("has a comma where a decimal point"));
+        assert_eq!(read(r#"[["1","north"]]"#, None), Err("p.json: [0][1]: 'north' is not a number".to_owned()));
+    }
+
+    #[test]
     fn rows_may_be_lists_or_objects() {
         let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
         assert_eq!(read("[[1,2],[3,4]]", None), expected);

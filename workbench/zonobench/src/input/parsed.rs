@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::encoding;
 use super::error::{InputError, Place, Problem};
+use super::number as word;
 use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Parses a document, with the parser's complaints placed in the file.
@@ -69,13 +70,13 @@ fn cell(line: usize, column: usize) -> Place {
     Place::Cell { line: line as u64, column: column as u64 }
 }
 
-/// A finite number; strings are no numbers here, except that the non-finite ones are named for what they are.
+/// A finite number, perhaps written as a string; non-finite ones are named for what they are.
 pub(super) fn number(value: &Tree) -> Result<f64, Problem> {
     match value {
         Tree::Number(number) => Ok(*number),
         Tree::Null => Err(Problem::NotFinite("null".to_owned())),
         Tree::Text(text) if NonFinite::spelled(text).is_some() => Err(Problem::NotFinite(text.clone())),
-        Tree::Text(text) => Err(Problem::NotANumber(text.clone())),
+        Tree::Text(text) => word::number(text.as_bytes()),
         other => Err(Problem::Shape(format!("expected a number, found {}", other.describe()))),
     }
 }
