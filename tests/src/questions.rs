@@ -166,7 +166,8 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             with(body(dice, style, dimension, count), "point", point)
         }
         "intersect" => {
-            json!({"a": body(dice, style, dimension, count), "b": body(dice, style, dimension, 4_usize.saturating_sub(count))})
+            let a = body(dice, style, dimension, count);
+            json!({"a": a, "b": body(dice, style, dimension, 4_usize.saturating_sub(count))})
         }
         "distance" => {
             json!({"a": body(dice, style, space, count), "b": body(dice, style, space, 5_usize.saturating_sub(count))})

@@ -60,6 +60,7 @@ pub(super) fn said(sentences: &[String]) -> String {
     }
     let items: Vec<String> = sentences.iter().map(|sentence| format!("<li>{}</li>", prose(sentence))).collect();
     let note = "<p><small>Numbers are medians over the instances of an input and a size, of an even number the upper \
-                one; those of \u{201c}from \u{2026} to\u{201d} are the least and the greatest over single instances.</small></p>";
+                one; those of \u{201c}from \u{2026} to\u{201d} are the least and the greatest over single \
+                instances.</small></p>";
     format!("<ul class=\"found\">{}</ul>\n{note}\n", items.join(""))
 }
