@@ -157,6 +157,7 @@ fn around_outer<const D: usize>(
             if answer.proof.outcome == Outcome::WithinEpsilon || work.is_used_up(frame.rank()) {
                 return Ok(answer);
             }
+            work.renew();
             let other =
                 around_by_set_generation::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             let directions = answer.effort.rows + other.effort.rows;
