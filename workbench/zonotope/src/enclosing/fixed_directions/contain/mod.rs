@@ -23,6 +23,8 @@ mod missing;
 mod rational_coefficients;
 mod thickened;
 
+use std::cell::Cell;
+
 use super::answer::DirectedZonotope;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
@@ -53,7 +55,8 @@ pub(super) struct Container<const D: usize> {
 }
 
 /// A zonotope with a given centre that contains every point, from a guess of its coefficients in scaled units: they are
-/// enlarged where a point needs it.
+/// enlarged where a point needs it. What exact numbers take is taken off `exact_work`; with none left the guess is
+/// enlarged by what floating point leaves.
 ///
 /// # Errors
 /// When a coefficient exceeds the largest double.
@@ -63,6 +66,7 @@ pub(super) fn contain<const D: usize>(
     center: [f64; D],
     coefficients: &[f64],
     map: &mut FacetMap<D>,
+    exact_work: &Cell<u64>,
 ) -> Result<Container<D>, FixedDirectionsError> {
     let mut all = vec![0.0; problem.directions().len()];
     let units: Vec<i64> = scaled.directions.iter().map(|d| scaled.exponent - d.exponent).collect();
@@ -71,7 +75,7 @@ pub(super) fn contain<const D: usize>(
     if coefficients.iter().any(|c| !c.is_finite()) {
         return Err(FixedDirectionsError::OutOfRange);
     }
-    let body = Body::new(problem, scaled, center, without_negligible(scaled, coefficients));
+    let body = Body::new(problem, scaled, center, without_negligible(scaled, coefficients), exact_work);
     let (enlargements, enlarged_for): (Vec<Rational>, Vec<Option<usize>>) =
         enlargements(&body, map).into_iter().unzip();
     let mut coefficients = body.coefficients;

@@ -47,6 +47,11 @@ impl Work {
         self.limit.saturating_sub(self.total())
     }
 
+    /// Allows as much work as before once more.
+    pub(super) fn renew(&mut self) {
+        self.limit = self.limit.saturating_add(self.total());
+    }
+
     /// Adds the work of a program along a net.
     pub(super) fn add_on_nets(&mut self, entries: u64) {
         self.on_nets = self.on_nets.saturating_add(entries);
@@ -65,15 +70,15 @@ pub(in crate::enclosing::min_total_length) fn limit_around(points: usize, limit:
 }
 
 /// The work of one interior-point step for so many multipliers of a rank, sets, memberships of points in sets, and
-/// points by which neighbouring sets differ.
-pub(super) fn of_step(rank: usize, points: usize, sets: usize, memberships: usize, changes: usize) -> f64 {
+/// points by which neighbouring sets differ: that of dense factors, and that of sums over the sets.
+pub(super) fn of_step(rank: usize, points: usize, sets: usize, memberships: usize, changes: usize) -> [f64; 2] {
     let [rank, points, sets, memberships, changes] = [rank, points, sets, memberships, changes].map(|n| n as f64);
     let unknowns = rank * points;
     // the entries of a symmetric matrix of the rank, for running sums and the rows made of them
     let schur = rank * (rank + 1.0) / 2.0 * points * (sets + changes / 2.0) + unknowns * unknowns;
     let factors = (unknowns.powi(3) + points.powi(3)) / 6.0;
     let gram = memberships * memberships / sets.max(1.0) / 2.0;
-    schur + factors + gram + STEP_SOLUTIONS * unknowns * unknowns + STEP_SUMS * rank * memberships
+    [factors + STEP_SOLUTIONS * unknowns * unknowns, schur + gram + STEP_SUMS * rank * memberships]
 }
 
 /// The number of times that a step multiplies by the inverse of its factors: twice for predictor, corrector and
@@ -110,6 +115,8 @@ mod tests {
         assert!(work.is_used_up(3) && !work.is_used_up(4) && work.left_for_nets() > 0);
         work.add_on_nets(work.left_for_nets() + 1);
         assert!(work.is_used_up(4) && work.left_for_nets() == 0);
+        work.renew();
+        assert!(!work.is_used_up(4) && work.left_for_nets().abs_diff(LIMIT) <= 1);
     }
 
     #[test]

@@ -87,7 +87,8 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
             self.sets.iter().map(|set| Scaling::new(&set.slack, &set.dual)).collect::<Option<_>>()?;
         let matrix = self.schur_complement(&scalings);
         let (points, memberships, changes) = (self.points.len(), self.memberships(), self.changes());
-        self.work += R::RELATIVE_COST * work::of_step(self.rank, points, self.sets.len(), memberships, changes);
+        let [dense, sums] = work::of_step(self.rank, points, self.sets.len(), memberships, changes);
+        self.work += R::RELATIVE_COST * dense + R::RELATIVE_COST_OF_SUMS * sums;
         self.work += work::of_vertices(self.rank, points);
         let equations = Equations { sets: self, scalings, factor: matrix.factor()? };
         let residual = self.residual(self.sets.iter().map(|set| set.dual.rest));
