@@ -93,6 +93,7 @@ enum Sort {
     Clouds,
     Lines,
     Bodies,
+    Motions,
 }
 
 /// The text of the file, for complaints.
@@ -198,6 +199,8 @@ fn sort_of(name: &str) -> Option<Sort> {
         Some(Sort::Lines)
     } else if families::bodies::is_known(name) {
         Some(Sort::Bodies)
+    } else if families::motions::find(name).is_some() {
+        Some(Sort::Motions)
     } else if families::clouds::find(name).is_some() || runner::own_size(name).is_some() {
         Some(Sort::Clouds)
     } else {
