@@ -21,59 +21,36 @@ pub(crate) trait Precision: Ring {
     fn certain_sign(&self) -> Option<Ordering>;
 }
 
-impl Precision for Bounded {
-    fn of_double(value: f64) -> Self {
-        Self::exact(value)
-    }
+/// Numbers with bounds, from the sum of two doubles and from an exact number.
+macro_rules! precision_with_bounds {
+    ($number:ty, |$parts:ident| $of_sum:expr, |$exact:ident| $of:expr) => {
+        impl Precision for $number {
+            fn of_double(value: f64) -> Self {
+                Self::exact(value)
+            }
 
-    fn of_sum([value, tail]: [f64; 2]) -> Self {
-        Self { value, error: tail.abs() }
-    }
+            fn of_sum($parts: [f64; 2]) -> Self {
+                $of_sum
+            }
 
-    fn of(number: &Dyadic) -> Self {
-        BoundedDoubleDouble::of(number).rounded()
-    }
+            fn of($exact: &Dyadic) -> Self {
+                $of
+            }
 
-    fn certain_sign(&self) -> Option<Ordering> {
-        self.sign().map(|sign| sign.cmp(&0))
-    }
+            fn certain_sign(&self) -> Option<Ordering> {
+                self.sign().map(|sign| sign.cmp(&0))
+            }
+        }
+    };
 }
 
-impl Precision for BoundedWide {
-    fn of_double(value: f64) -> Self {
-        Self::exact(value)
-    }
-
-    fn of_sum(parts: [f64; 2]) -> Self {
-        Self::of_sum(parts)
-    }
-
-    fn of(number: &Dyadic) -> Self {
-        Self::of(number)
-    }
-
-    fn certain_sign(&self) -> Option<Ordering> {
-        self.sign().map(|sign| sign.cmp(&0))
-    }
-}
-
-impl Precision for BoundedDoubleDouble {
-    fn of_double(value: f64) -> Self {
-        Self::exact(value)
-    }
-
-    fn of_sum([head, tail]: [f64; 2]) -> Self {
-        Self::of_parts(head, tail, 0.0)
-    }
-
-    fn of(number: &Dyadic) -> Self {
-        Self::of(number)
-    }
-
-    fn certain_sign(&self) -> Option<Ordering> {
-        self.sign().map(|sign| sign.cmp(&0))
-    }
-}
+precision_with_bounds!(Bounded, |parts| Bounded { value: parts[0], error: parts[1].abs() }, |exact| {
+    BoundedDoubleDouble::of(exact).rounded()
+});
+precision_with_bounds!(BoundedWide, |parts| BoundedWide::of_sum(parts), |exact| BoundedWide::of(exact));
+precision_with_bounds!(BoundedDoubleDouble, |parts| BoundedDoubleDouble::of_parts(parts[0], parts[1], 0.0), |exact| {
+    BoundedDoubleDouble::of(exact)
+});
 
 impl Precision for Dyadic {
     fn of_double(value: f64) -> Self {
