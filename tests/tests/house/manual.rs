@@ -46,6 +46,7 @@ fn every_command_is_listed() {
         "intersect",
         "distance",
         "collide",
+        "sweep",
         "reduce",
         "inspect",
         "solve",

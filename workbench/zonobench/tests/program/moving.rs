@@ -1,4 +1,4 @@
-//! `collide`: motions from files and options, the summary, and what is refused.
+//! `collide` and `sweep`: motions from files and options, the summary, and what is refused.
 
 use std::fs;
 
@@ -59,6 +59,54 @@ fn a_bar_that_turns_beside_a_cube() {
         (&["--translation", "1,0,0", "--resolution", "2"], "resolution is 2.0, not from "),
     ] {
         let refused = run(folder, &[&["collide", "bar.json", "cube.json"], options].concat());
+        assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
+        assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
+    }
+}
+
+#[test]
+fn a_bar_that_sweeps() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let turn = r#"{"axis_point":[0,0,0],"axis":[0,0,-1],"angle":0.5,"translation":[0,0,2]}"#;
+    let extra = turn.replace("{\"axis_point\"", "{\"center\":[9,9,9],\"axis_point\"");
+    let lacking = turn.replace(",\"angle\":0.5", "");
+    for (name, content) in [
+        ("bar.json", BAR),
+        ("quarter.json", PIECES),
+        ("turn.json", turn),
+        ("extra.json", &extra),
+        ("lacking.json", &lacking),
+    ] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    let sweep = |options: &[&str]| run(folder, &[&["sweep", "bar.json"], options].concat());
+    let moved = sweep(&["--translation", "0,0,2", "--json", "moved.json"]);
+    assert_eq!(moved.status, 0, "{}", moved.stderr);
+    assert!(moved.stdout.contains("certificate   checked: "), "{}", moved.stdout);
+    let read = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&fs::read_to_string(folder.join(name)).expect("written")).expect("JSON")
+    };
+    assert_eq!(read("moved.json")["result"]["center"], serde_json::json!([0.0, 0.0, 1.0]), "half of the translation");
+
+    // a negative angle, the opposite axis and the file are one motion
+    let by_options = ["--axis", "0,0,1", "--angle", "-0.5", "--translation", "0,0,2", "--json", "options.json"];
+    assert_eq!(sweep(&by_options).status, 0);
+    let by_file = sweep(&["--motion", "turn.json", "--json", "file.json"]);
+    assert_eq!(by_file.status, 0, "{}", by_file.stderr);
+    assert_eq!(read("options.json")["result"], read("file.json")["result"]);
+    assert!(by_file.stdout.contains("added         3 generators: "), "{}", by_file.stdout);
+    let mesh = run(folder, &["inspect", "file.json", "--obj", "file.obj"]);
+    assert_eq!(mesh.status, 0, "the answer is read as a body: {}", mesh.stderr);
+
+    for (options, complaint) in [
+        (&["--motion", "quarter.json"][..], "`pieces`, while `sweep` takes one axis and one angle"),
+        (&["--motion", "extra.json"], "extra.json: extra field `center` in the motion"),
+        (&["--motion", "lacking.json"], "lacking.json: the motion has no field `angle`"),
+        (&["--axis", "0,0,0", "--angle", "1"], "axis of the rotation is zero"),
+        (&["--axis", "0,0,1", "--angle", "inf"], "angle"),
+    ] {
+        let refused = sweep(options);
         assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
         assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
     }

@@ -18,6 +18,8 @@ pub(crate) enum About {
     Collide,
     /// Which points a body contains.
     Contains,
+    /// A body around all placements of a body.
+    Sweep,
     /// A body of few generators.
     Reduce,
     /// The faces of a body.
@@ -50,8 +52,8 @@ impl Role {
 }
 
 impl About {
-    const ALL: [Self; 6] =
-        [Self::Intersect, Self::Distance, Self::Collide, Self::Contains, Self::Reduce, Self::Inspect];
+    const ALL: [Self; 7] =
+        [Self::Intersect, Self::Distance, Self::Collide, Self::Sweep, Self::Contains, Self::Reduce, Self::Inspect];
 
     /// The command, and the kind of its question.
     fn names(self) -> [&'static str; 2] {
@@ -59,6 +61,7 @@ impl About {
             Self::Intersect => ["intersect", "intersect"],
             Self::Distance => ["distance", "distance"],
             Self::Collide => ["collide", "collide"],
+            Self::Sweep => ["sweep", "sweep"],
             Self::Contains => ["contains", "member_batch"],
             Self::Reduce => ["reduce", "reduce"],
             Self::Inspect => ["inspect", "combinatorics"],
@@ -81,7 +84,7 @@ impl About {
         match self {
             Self::Intersect | Self::Distance | Self::Collide => &[Role::A, Role::B],
             Self::Contains => &[Role::Body, Role::Points],
-            Self::Reduce | Self::Inspect => &[Role::Body],
+            Self::Sweep | Self::Reduce | Self::Inspect => &[Role::Body],
         }
     }
 
@@ -126,6 +129,9 @@ pub(crate) struct BodyFile {
     /// Which vectors of a table or of an array are generators.
     pub(crate) layout: Layout,
 }
+
+/// The fields of a question that state the motion of a sweep; a request has them as well.
+pub(crate) const SWEEP_FIELDS: [&str; 4] = ["axis_point", "axis", "angle", "translation"];
 
 /// The fields of the record of a file with a body.
 const BODY_FIELDS: [&str; 5] = ["format", COLUMNS_ARE_GENERATORS, CENTER_FIRST, "pose", "sha256"];
@@ -182,7 +188,7 @@ pub(crate) struct Recorded {
     pub(crate) files: Vec<RecordedFile>,
     /// The most generators and the rule of a reduction.
     pub(crate) reduction: Option<(u64, String)>,
-    /// The motions of two bodies, and the resolution if one was asked for: further fields of the question.
+    /// The motions of bodies, and the resolution if one was asked for: further fields of the question.
     pub(crate) step: Vec<(&'static str, Value)>,
     /// The first field that no request has.
     pub(crate) unknown: Option<String>,
@@ -221,7 +227,11 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         recorded.unknown = recorded.unknown.take().or(other.map(|name| format!("{place}{name}")));
     };
     let roles: Vec<&str> = about.roles().iter().map(|role| role.field()).collect();
-    note_unknown(request, &[&roles[..], &["command", "count", "rule", "motion", "resolution"]].concat(), "");
+    note_unknown(
+        request,
+        &[&roles[..], &["command", "count", "rule", "motion", "resolution"], &SWEEP_FIELDS].concat(),
+        "",
+    );
     for &role in about.roles() {
         let record = request.field(role.field()).ok_or(RecordError(role.field()))?;
         let known = if role == Role::Points { &POINT_FIELDS[..] } else { &BODY_FIELDS };
@@ -247,6 +257,12 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         let motion = request.field("motion").ok_or(RecordError("motion"))?;
         let resolution = request.field("resolution").map(|resolution| ("resolution", value_of(resolution)));
         recorded.step = [("motion", value_of(motion))].into_iter().chain(resolution).collect();
+    }
+    if about == About::Sweep {
+        for name in SWEEP_FIELDS {
+            let value = request.field(name).ok_or(RecordError(name))?;
+            recorded.step.push((name, value_of(value)));
+        }
     }
     Ok(recorded)
 }

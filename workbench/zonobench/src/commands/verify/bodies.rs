@@ -28,7 +28,7 @@ pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer:
                           verify` checks it against its question";
             return Ok(AboutData::without_question(reason.to_owned()));
         }
-        None if about == About::Collide => {
+        None if matches!(about, About::Collide | About::Sweep) => {
             let reason = "the answer does not record the motions of the bodies; `zonobench verify` checks it against \
                           its question";
             return Ok(AboutData::without_question(reason.to_owned()));
@@ -92,8 +92,8 @@ fn ask_again(
             }
             hashes.push(origin.sha256);
             bodies.push(match about {
-                // rounded before it was reduced
-                About::Reduce => zonotope_of(&placed.rounded(file)?.body),
+                // rounded before it was asked about
+                About::Sweep | About::Reduce => zonotope_of(&placed.rounded(file)?.body),
                 _ => placed.question(),
             });
         } else {

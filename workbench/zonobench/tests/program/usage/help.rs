@@ -59,6 +59,7 @@ fn the_formats_of_a_command_are_those_that_it_reads() {
         ("intersect", "--format"),
         ("distance", "--format"),
         ("collide", "--format"),
+        ("sweep", "--format"),
         ("reduce", "--format"),
         ("inspect", "--format"),
         ("contains", "--body-format"),
