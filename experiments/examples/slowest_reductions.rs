@@ -119,7 +119,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
             let space = (size * size.isqrt()) as u64;
             let body = Zonotope::new([0.0; 3], generators.collect()).expect("the families are finite");
             timed(format!("{size} generators"), || {
-                let prepared = PreparedByCutting::new(body, space, 1).ok()?;
+                let prepared = PreparedByCutting::new(body, space, 1, &mut ()).ok()?;
                 prepared.contains([1.0; 3]).ok().map(f64::from)
             })
         }
@@ -152,7 +152,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
         _ => {
             let epsilon = *one_of(&PRECISIONS, source);
             timed(format!("{epsilon}, R^{D}, {size} generators"), || {
-                patches_within(&body, epsilon).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+                patches_within(&body, epsilon, &mut ()).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
             })
         }
     }
@@ -171,7 +171,7 @@ fn ask_around<const D: usize>(kind: &str, family: &str, points: &[[f64; D]], sou
             let weights = vec![1.0; directions.len()];
             timed(format!("{n} points, {} directions, R^{D}", directions.len()), || {
                 let problem = FixedDirections::new(points, &directions, &weights).ok()?;
-                min_length_along(&problem).ok()?.optimal().map(|answer| answer.value)
+                min_length_along(&problem, &mut ()).ok()?.optimal().map(|answer| answer.value)
             })
         }
         "min_length_few" => {

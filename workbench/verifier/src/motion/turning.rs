@@ -20,8 +20,8 @@
 //! shorter than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the
 //! rotations differ by twice that, at most 4 η where cos a ≥ 0.9.
 //!
-//! **One turn alone.** Where nothing but this rotation moves, bodies are disjoint at every time of a stretch if they are
-//! at every angle between its ends. The linear path goes through all angles between those of q_0 and q_1, which the
+//! **One turn alone.** Where nothing but this rotation moves, bodies are disjoint at every time of a stretch if they
+//! are at every angle between its ends. The linear path goes through all angles between those of q_0 and q_1, which the
 //! ends of the motion are within 4 η of: the bound of the ends alone is left.
 
 mod sines;

@@ -41,7 +41,7 @@ pub(super) fn multiple<T: Ring, const A: usize>(factor: &T, a: &[T; A]) -> [T; A
     a.each_ref().map(|c| factor.times(c))
 }
 
-/// How often a polynomial is halved that has coefficients which are not positive.
+/// The number of times that a polynomial with a coefficient that is not positive is halved, at most.
 const MOST_HALVINGS: u32 = 4;
 
 /// The inverses of the binomial coefficients of degree 5: those of scaled Bernstein coefficients.

@@ -1,7 +1,7 @@
 //! A rotation at constant rate, which rational placements are near: on a stretch the quaternion goes linearly between
 //! two rational ones, and a bound says how far the angle is off.
 //!
-//! Where only the set of the placements counts and not the time of each, the stretch is exact: about one axis it turns
+//! A stretch of which the placements alone count, and not the time of each, is exact: about one axis it turns
 //! through every angle between its ends, and ends that are moved outwards by more than their rounding contain those of
 //! the motion. So it is where nothing but this rotation moves.
 //!

@@ -293,6 +293,10 @@ pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
 /// in the bound and products of errors.
 pub(crate) const GAP_ROUNDING: f64 = 32_768.0 * UNIT;
 
+/// Error that a generator adds to such a coefficient, beside the sizes of its factors: it goes through one addition of
+/// 512.
+pub(crate) const GENERATOR_ROUNDING: f64 = 0.25 * UNIT;
+
 /// By how much the rounded cross product of a direction and a rounded unit vector may be off, beside the direction:
 /// the unit vector is off by [`ROUNDED_UNIT_VECTOR`] in each coordinate, which both terms of a coordinate have, and
 /// three roundings; three coordinates are added up.

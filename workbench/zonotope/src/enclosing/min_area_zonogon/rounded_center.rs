@@ -121,7 +121,7 @@ impl RoundedCenter {
     /// The greatest double that is not above the area of Z(O) less the gap, for an area that doubles do not hold: the
     /// gap may leave their range as well.
     pub(super) fn exact_area_less_gap(&self, kernel: &Kernel, hull: &ConvexHull, farthest: &[FarthestVertex]) -> f64 {
-        let area = CenteredZonogon::new(hull, farthest, self.point).exact_area();
+        let area = CenteredZonogon::new(hull, farthest, self.point, &mut ()).exact_area();
         let gap = match &self.gap {
             Gap::Near { kernel_point, .. } => {
                 let [x, y] = kernel_point.map(|pair| pair.to_dyadic());

@@ -21,12 +21,6 @@
 //! # Numerics
 //! Volumes are doubles that are made larger by more than their rounding; volumes and contacts are decided exactly.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
 //!
@@ -45,12 +39,12 @@
 
 use super::FirstContact;
 use super::bisection::{self, Bound};
-use super::body::Body;
 use super::gap::Stretch;
 use super::ordinary_sizes;
-use super::rates::Rates;
+use super::parts::body::Body;
+use super::parts::rates::Rates;
 use super::scene::Scene;
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
@@ -90,7 +84,7 @@ impl Bound for Volumes {
         let [a, b] = [0, 1].map(|i| volume(&stretch.bodies[i], &stretch.arcs[i].rounded(), scene.margin(times)));
         let (a, b) = (a?, b?);
         let mut counts = OperationCounts::default();
-        let location = locate_counted(&Query::between(&a, &b), &mut counts);
+        let location = locate(&Query::between(&a, &b), &mut counts);
         let generators = (a.generators().len() + b.generators().len()).max(1) as u64;
         let passes = counts.get(Operation::GeneratorRead).div_ceil(generators).max(1);
         tally.add(Operation::SupportEvaluation, 2 * passes);

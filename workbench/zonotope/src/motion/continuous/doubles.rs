@@ -21,10 +21,7 @@ use super::SeparatingDirection;
 use super::gap::Stretch;
 use crate::motion::bernstein;
 use crate::numeric::linear::sum_norm;
-use crate::numeric::tolerance::{GAP_ROUNDING, MODERATE_SIZES, UNIT};
-
-/// Parts of a unit in the last place that a generator adds: it goes through one addition in 512.
-const ROUNDING_OF_A_GENERATOR: f64 = 0.25 * UNIT;
+use crate::numeric::tolerance::{GAP_ROUNDING, GENERATOR_ROUNDING, MODERATE_SIZES};
 
 impl Stretch<'_, f64> {
     /// A bound of the error of each coefficient of the gap along a direction of which the coordinates' magnitudes add
@@ -46,7 +43,7 @@ impl Stretch<'_, f64> {
         let generators: usize = self.bodies.iter().map(|body| body.generators().len()).sum();
         let factors = [turns[0], turns[1], a.weight, b.weight, lengths, size];
         if factors.iter().all(|factor| MODERATE_SIZES.contains(factor)) {
-            (GAP_ROUNDING + ROUNDING_OF_A_GENERATOR * generators as f64) * size
+            (GAP_ROUNDING + GENERATOR_ROUNDING * generators as f64) * size
         } else {
             f64::INFINITY
         }
@@ -73,8 +70,8 @@ pub(super) fn length_at_most(direction: &SeparatingDirection) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::body::Body;
-    use super::super::margin::Margin;
+    use super::super::parts::body::Body;
+    use super::super::parts::margin::Margin;
     use super::super::tests::{random_body, random_parts};
     use super::*;
     use crate::motion::Motion;

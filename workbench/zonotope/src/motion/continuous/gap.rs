@@ -16,9 +16,9 @@
 use std::cell::OnceCell;
 
 use super::SeparatingDirection;
-use super::body::Body;
-use super::margin::{self, Margin};
-use super::rates::Rates;
+use super::parts::body::Body;
+use super::parts::margin::{self, Margin};
+use super::parts::rates::Rates;
 use crate::motion::arc::{Arc, displacement};
 use crate::motion::bernstein::{convolution, difference, elevated, multiple, sum};
 use crate::motion::quaternion::{image, transposed_image};

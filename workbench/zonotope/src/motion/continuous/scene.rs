@@ -1,14 +1,14 @@
 //! Two moving bodies, and the questions that every method asks about them: a stretch of time, and a moment.
 
 use super::SeparatingDirection;
-use super::body::Body;
 use super::gap::Stretch;
-use super::margin::Margin;
 use super::meeting;
+use super::parts::body::Body;
+use super::parts::margin::{self, Margin};
 use super::simplex_search::{Lowest, Search, search};
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::collision::distance::Proximity;
-use crate::collision::distance::by_support_simplex::proximity_counted;
+use crate::collision::distance::by_support_simplex::proximity;
 use crate::collision::{Location, Query, Separation, Witness};
 use crate::motion::Motion;
 use crate::motion::constant_rate::Clock;
@@ -107,10 +107,10 @@ impl<'a> Scene<'a> {
         if bound.iter().all(|c| c.is_positive()) {
             return true;
         }
-        // a bound that is infinite or NaN says nothing
+        // a bound that is infinite or NaN says nothing, and neither does a margin beyond the doubles
         let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
         let margins = self.margins(times);
-        if bound.iter().any(is_refuted) || margins.iter().any(|margin| !margin.distance.is_finite()) {
+        if bound.iter().any(is_refuted) || !margin::along(&margins, direction).is_finite() {
             return false;
         }
         tally.add(Operation::ExactFallback, 1);
@@ -158,7 +158,7 @@ impl<'a> Scene<'a> {
 
     /// The proof that the bodies meet at a time, or else a direction that separates them as they are rounded then.
     pub(super) fn at(&self, time: f64, tally: &mut dyn Tally) -> Result<Witness, Apart> {
-        let location = self.with_query(time, tally, |query, counts| locate_counted(query, counts));
+        let location = self.with_query(time, tally, |query, counts| locate(query, counts));
         match location {
             None | Some(Location::Outside(Separation::Exact(_))) => Err(None),
             Some(Location::Outside(Separation::Rounded(u))) => Err(Some(SeparatingDirection::Space(u))),
@@ -175,7 +175,7 @@ impl<'a> Scene<'a> {
 
     /// How near the bodies are at a time, as they are rounded then; `None` where that leaves the range of doubles.
     pub(super) fn proximity_at(&self, time: f64, tally: &mut dyn Tally) -> Option<Proximity<3>> {
-        self.with_query(time, tally, |query, counts| proximity_counted(query, counts))
+        self.with_query(time, tally, |query, counts| proximity(query, counts))
     }
 
     /// An answer about the bodies as they are rounded at a time; each pass over all generators counts as one support

@@ -5,9 +5,9 @@
 //! that it finds are known with the bound of all doubles of the stretch.
 
 use super::super::SeparatingDirection;
-use super::super::body::Body;
 use super::super::doubles::length_at_most;
 use super::super::gap::{Matrix, Stretch};
+use super::super::parts::body::Body;
 use super::super::simplex_search::{Lowest, Search, search};
 use crate::motion::bernstein::{self, INVERSE_BINOMIALS, convolution, elevated};
 use crate::motion::quaternion::{image, transposed_image};

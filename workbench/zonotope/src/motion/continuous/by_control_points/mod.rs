@@ -36,12 +36,6 @@
 //! # Numerics
 //! Directions are guesses; a free stretch and a contact are decided exactly. The distance of a grazing is rounded up.
 //!
-//! # Errors
-//! None: motions are finite and their times go from 0 to 1.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force): the gap at rational times in exact numbers; dense sampling with exact queries.
 //!
@@ -229,7 +223,7 @@ impl Search<'_, '_> {
         Decided::Not
     }
 
-    /// How the bodies stand at a time: by a search in doubles, exactly where that leaves a doubt.
+    /// The position of the bodies at a time: by a search in doubles, exactly where that leaves a doubt.
     fn look(&mut self, time: f64, hints: &[Apart; 2]) -> Look {
         let first = hints.iter().rev().flatten().find_map(fixed_in_space);
         match self.scene.looked_at(time, first, self.tally) {

@@ -4,22 +4,22 @@
 //! axis. Along a direction u it moves by at most |u × a| of that, a the unit vector of the axis: nothing along the
 //! axis. A direction that turns with a body keeps its angle to the body's own axis.
 
-use super::SeparatingDirection;
+use super::super::SeparatingDirection;
 use crate::numeric::linear::{cross, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, MARGIN_AXIS_ROUNDING};
 
 /// A bound of how far points of a body are from their places on a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Margin {
+pub(in crate::motion::continuous) struct Margin {
     /// The largest distance of a point of the body from its place.
-    pub(super) distance: f64,
+    pub(in crate::motion::continuous) distance: f64,
     /// The unit vector of the axis, rounded: points are off across it.
-    pub(super) axis: [f64; 3],
+    pub(in crate::motion::continuous) axis: [f64; 3],
 }
 
 impl Margin {
     /// The margin of a body that is where the stretch puts it.
-    pub(super) const NONE: Self = Self { distance: 0.0, axis: [0.0; 3] };
+    pub(in crate::motion::continuous) const NONE: Self = Self { distance: 0.0, axis: [0.0; 3] };
 
     /// The bound along a direction that keeps its angle to the axis, times the direction's length.
     fn along(&self, u: &[f64; 3]) -> f64 {
@@ -34,7 +34,7 @@ impl Margin {
 }
 
 /// How much less the gap of two bodies along a direction may be than on the stretch.
-pub(super) fn along(margins: &[Margin; 2], direction: &SeparatingDirection) -> f64 {
+pub(in crate::motion::continuous) fn along(margins: &[Margin; 2], direction: &SeparatingDirection) -> f64 {
     let [first, second] = margins;
     if (first.distance, second.distance) == (0.0, 0.0) {
         return 0.0;
