@@ -12,6 +12,7 @@ pub mod figure;
 pub mod inspect;
 pub mod intersect;
 pub mod list;
+mod mesh_files;
 mod motion;
 mod page;
 mod placing;

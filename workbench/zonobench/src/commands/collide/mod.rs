@@ -7,6 +7,7 @@ mod summary;
 use serde_json::json;
 
 pub use self::options::Options;
+pub(super) use self::step::Step;
 
 use super::Ending;
 use super::asked::{About, Asked, check_dimensions, record};

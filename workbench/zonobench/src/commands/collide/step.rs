@@ -10,7 +10,7 @@ use crate::commands::usage::Usage;
 
 /// The motions of both bodies, of which one that has none rests.
 #[derive(Debug, Clone, Default, PartialEq, Args)]
-pub(super) struct Step {
+pub(in crate::commands) struct Step {
     #[command(flatten)]
     of_a: MotionOptions,
     /// Move the second body as a file says, as --motion does the first.
@@ -18,23 +18,34 @@ pub(super) struct Step {
     motion_b: Option<PathBuf>,
     /// Tell the time of a contact as finely as this part of the step [default: 2^-30].
     #[arg(long, value_name = "PART")]
-    pub(super) resolution: Option<f64>,
+    pub(in crate::commands) resolution: Option<f64>,
 }
 
 impl Step {
     /// The files that are read.
-    pub(super) fn inputs(&self) -> Vec<&Path> {
+    pub(in crate::commands) fn inputs(&self) -> Vec<&Path> {
         [self.of_a.input(), self.motion_b.as_deref()].into_iter().flatten().collect()
     }
 
+    /// The name of an option that is given, if there is one.
+    pub(in crate::commands) fn given(&self) -> Option<&'static str> {
+        let of_a = self.of_a.is_given().then_some("--motion");
+        of_a.or(self.given_of_b()).or(self.resolution.map(|_| "--resolution"))
+    }
+
+    /// The name of the option that moves the second body, if it is given.
+    pub(in crate::commands) fn given_of_b(&self) -> Option<&'static str> {
+        self.motion_b.as_ref().map(|_| "--motion-b")
+    }
+
     /// Refuses a step in which nothing is said to move.
-    pub(super) fn check(&self) -> Result<(), Usage> {
+    pub(in crate::commands) fn check(&self) -> Result<(), Usage> {
         let is_moving = self.of_a.is_given() || self.motion_b.is_some();
         if is_moving { Ok(()) } else { Err(Usage::not_applicable("--motion", "no motion of either body is given")) }
     }
 
     /// The motions as a question has them.
-    pub(super) fn motion(&self) -> anyhow::Result<Value> {
+    pub(in crate::commands) fn motion(&self) -> anyhow::Result<Value> {
         let mut motions = json!({});
         if let Some(motion) = self.of_a.motion()? {
             motions["a"] = motion;

@@ -7,6 +7,7 @@ use clap::builder::PossibleValuesParser;
 use zonotope::motion::space_time::Method;
 
 use crate::commands::asked::body_formats;
+use crate::commands::mesh_files::MeshFiles;
 use crate::commands::motion::MotionOptions;
 use crate::commands::placing::Placing;
 use crate::input::Format;
@@ -29,6 +30,8 @@ pub struct Options {
     pub(super) format: Option<Format>,
     #[command(flatten)]
     pub(super) placing: Placing,
+    #[command(flatten)]
+    pub(super) meshes: MeshFiles,
     /// Write the answer, in the format of `solve`: other commands read the body from it.
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,
