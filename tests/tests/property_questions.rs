@@ -133,7 +133,7 @@ fn structures_agree(count: usize, numbers: &[f64]) -> Result<(), TestCaseError> 
         (check(&tree(&question), &tree(&answer)), answer)
     };
     let (_, plain) = asked("by_lad");
-    for method in ["by_direction_tree", "by_cutting"] {
+    for method in ["by_direction_tree", "by_cutting", "by_facets"] {
         let (verdict, answer) = asked(method);
         prop_assert!(verdict.is_right() || answer.get("error").is_some(), "{method}: {verdict:?}: {answer}");
         prop_assert_eq!(&answer["result"]["status"], &plain["result"]["status"], "{} {}", method, answer);

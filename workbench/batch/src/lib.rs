@@ -28,6 +28,7 @@ mod fields;
 pub mod json;
 mod kinds;
 mod limits;
+pub mod names;
 mod nearest;
 mod place;
 pub mod placement;

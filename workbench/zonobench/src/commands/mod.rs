@@ -9,6 +9,7 @@ pub mod distance;
 pub mod draw;
 pub mod enclose;
 pub mod figure;
+pub mod hausdorff;
 pub mod inspect;
 pub mod intersect;
 pub mod list;

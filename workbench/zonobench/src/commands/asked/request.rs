@@ -14,6 +14,8 @@ pub(crate) enum About {
     Intersect,
     /// The distance of two bodies.
     Distance,
+    /// The Hausdorff distance of two bodies.
+    Hausdorff,
     /// When two moving bodies meet first.
     Collide,
     /// Which points a body contains.
@@ -52,14 +54,23 @@ impl Role {
 }
 
 impl About {
-    const ALL: [Self; 7] =
-        [Self::Intersect, Self::Distance, Self::Collide, Self::Sweep, Self::Contains, Self::Reduce, Self::Inspect];
+    const ALL: [Self; 8] = [
+        Self::Intersect,
+        Self::Distance,
+        Self::Hausdorff,
+        Self::Collide,
+        Self::Sweep,
+        Self::Contains,
+        Self::Reduce,
+        Self::Inspect,
+    ];
 
     /// The command, and the kind of its question.
     fn names(self) -> [&'static str; 2] {
         match self {
             Self::Intersect => ["intersect", "intersect"],
             Self::Distance => ["distance", "distance"],
+            Self::Hausdorff => ["hausdorff", "hausdorff"],
             Self::Collide => ["collide", "collide"],
             Self::Sweep => ["sweep", "sweep"],
             Self::Contains => ["contains", "member_batch"],
@@ -82,7 +93,7 @@ impl About {
     /// The files that it is about, in the order of the command line.
     fn roles(self) -> &'static [Role] {
         match self {
-            Self::Intersect | Self::Distance | Self::Collide => &[Role::A, Role::B],
+            Self::Intersect | Self::Distance | Self::Hausdorff | Self::Collide => &[Role::A, Role::B],
             Self::Contains => &[Role::Body, Role::Points],
             Self::Sweep | Self::Reduce | Self::Inspect => &[Role::Body],
         }
@@ -91,6 +102,11 @@ impl About {
     /// Whether each of the files is one of a body.
     pub(crate) fn are_bodies(self) -> impl Iterator<Item = bool> {
         self.roles().iter().map(|&role| role != Role::Points)
+    }
+
+    /// Whether the question is about bodies in doubles: images under poses are rounded to the nearest.
+    pub(crate) fn takes_rounded(self) -> bool {
+        matches!(self, Self::Hausdorff | Self::Sweep | Self::Reduce)
     }
 
     /// The question about bodies, and points, in the format of `solve`; of `reduce` with its count and its rule.
@@ -102,7 +118,7 @@ impl About {
         reduction: Option<(u64, &str)>,
     ) -> Value {
         let mut input = match (self, bodies) {
-            (Self::Intersect | Self::Distance | Self::Collide, [a, b]) => json!({"a": a, "b": b}),
+            (Self::Intersect | Self::Distance | Self::Hausdorff | Self::Collide, [a, b]) => json!({"a": a, "b": b}),
             (Self::Inspect, [body]) => match body.get("pose") {
                 Some(pose) => json!({"generators": body["generators"], "pose": pose}),
                 None => json!({"generators": body["generators"]}),

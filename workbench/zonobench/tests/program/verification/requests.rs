@@ -39,10 +39,12 @@ fn change(folder: &Path, change: impl FnOnce(&mut Value)) {
 }
 
 /// The commands about bodies, each with the files that it is given.
-const COMMANDS: [(&[&str], &[&str]); 11] = [
+const COMMANDS: [(&[&str], &[&str]); 13] = [
     (&["intersect", "a.json", "b.json"], &["a.json", "b.json"]),
     (&["distance", "g.csv", "b.json"], &["g.csv", "b.json"]),
     (&["distance", "a.json", "b.body", "--format", "json"], &["a.json", "b.body"]),
+    (&["hausdorff", "a.json", "b.json"], &["a.json", "b.json"]),
+    (&["hausdorff", "g.csv", "b.body", "--format-b", "json", "--turn", "z,30"], &["g.csv", "b.body"]),
     (&["collide", "s.json", "t.json", "--translation", "-9,0,0"], &["s.json", "t.json"]),
     (&["collide", "t.json", "s.json", "--motion-b", "m.json", "--resolution", "0.125"], &["t.json", "s.json"]),
     (&["sweep", "t.json", "--axis", "0,0,1", "--angle", "-1", "--turn", "z,30"], &["t.json"]),
