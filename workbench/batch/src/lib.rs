@@ -39,7 +39,7 @@ mod transcript;
 pub use answering::{Answer, Line, answer, answer_line};
 pub use dimension::MAX_DIMENSION;
 pub use fields::read_pose;
-pub use kinds::{KINDS, Kind, min_area_result};
+pub use kinds::{KINDS, Kind, min_area_result, read_motion};
 pub use limits::{MAX_LINE_BYTES, MAX_VECTORS};
 pub use nearest::{did_you_mean, nearest};
 pub use refusal::{Code, Refusal};

@@ -4,7 +4,7 @@ use clap::{Parser, Subcommand};
 
 use crate::commands::{
     collide, compare, contains, distance, draw, enclose, figure, hausdorff, inspect, intersect, list, records, reduce,
-    reproduce, shell, solve, verify,
+    reproduce, shell, solve, sweep, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -43,6 +43,8 @@ pub enum Command {
     Hausdorff(hausdorff::Options),
     /// Tell whether two zonotopes in motion meet, and when first, with the proof.
     Collide(collide::Options),
+    /// Find a zonotope around all placements of a zonotope that turns about an axis and translates.
+    Sweep(sweep::Options),
     /// Find a zonotope of few generators around a zonotope.
     Reduce(reduce::Options),
     /// Tell what kind of body a zonotope is: faces, volume, size.

@@ -11,7 +11,7 @@ use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
-    let wrong: [&[&str]; 30] = [
+    let wrong: [&[&str]; 33] = [
         &[],
         &["frobnicate"],
         &["enclose"],
@@ -29,6 +29,9 @@ fn usage_errors_have_status_2() {
         &["collide", "a.json", "b.json", "--axis", "0,0,1"],
         &["collide", "a.json", "b.json", "--axis", "0,1", "--angle", "1"],
         &["collide", "a.json", "b.json", "--motion", "m.json", "--translation", "1,0,0"],
+        &["sweep", "a.json"],
+        &["sweep", "a.json", "--axis", "0,0,1"],
+        &["sweep", "a.json", "--angle", "1"],
         &["enclose", "-", "--format", "csv", "--directions", "-"],
         &["enclose", "p.csv", "--objective", "perimeter"],
         &["enclose", "p.csv", "--directions", "net:0"],

@@ -11,7 +11,7 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::{Value, json};
 
-pub(super) use self::request::{About, BodyFile, Recorded, record};
+pub(super) use self::request::{About, BodyFile, Recorded, SWEEP_FIELDS, record};
 use super::table::counted;
 use crate::input::{Body, Format, Placed};
 use crate::progress::Progress;

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 use serde_json::{Value, json};
 
 pub use self::options::Options;
+pub(super) use self::step::Step;
 
 use super::Ending;
 use super::asked::{About, Asked, check_dimensions, record};

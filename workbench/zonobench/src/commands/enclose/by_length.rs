@@ -8,7 +8,7 @@ use super::summary::verification;
 use super::{comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
-use crate::commands::inspect::export;
+use crate::commands::mesh_files::mesh;
 use crate::commands::table::{Table, counted, factor_at_most, figure, lower_bound, position, with_six_digits};
 use crate::commands::usage::question_name;
 use crate::input::{Body, Reading, body_of_answer};
@@ -52,7 +52,7 @@ pub(super) fn run(
     };
     let mut results = Results::default();
     results.add(options.svg.as_ref(), || Ok(solid::draw(&name, reading, drawn()?).into_bytes()));
-    results.add(options.obj.as_ref(), || Ok(export::mesh(&name, drawn()?, f64::MAX)?.to_obj().into_bytes()));
+    results.add(options.obj.as_ref(), || Ok(mesh(&name, drawn()?, f64::MAX)?.to_obj().into_bytes()));
     results.add(options.json.as_ref(), || Ok(format!("{answer}\n").into_bytes()));
     outputs.finish(results, &summary(options, reading, &question, &answer, body.as_ref(), &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })

@@ -28,7 +28,7 @@ pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer:
                           verify` checks it against its question";
             return Ok(AboutData::without_question(reason.to_owned()));
         }
-        None if about == About::Collide => {
+        None if matches!(about, About::Collide | About::Sweep) => {
             let reason = "the answer does not record the motions of the bodies; `zonobench verify` checks it against \
                           its question";
             return Ok(AboutData::without_question(reason.to_owned()));

@@ -60,6 +60,7 @@ fn the_formats_of_a_command_are_those_that_it_reads() {
         ("distance", "--format"),
         ("hausdorff", "--format"),
         ("collide", "--format"),
+        ("sweep", "--format"),
         ("reduce", "--format"),
         ("inspect", "--format"),
         ("contains", "--body-format"),
