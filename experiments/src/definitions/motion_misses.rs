@@ -18,7 +18,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Motion: collisions that are missed",
     question: "How many collisions does a method miss that looks at n equal steps of a motion? Sampling asks at each \
                step, and the hulls of end poses are those of both bodies at the ends of a step. Control points are \
-               held to samples with a bound of how far the bodies move between them, whatever n is. Each \
+               held to samples with a bound of the bodies' way between them, and n does not matter to them. Each \
                collision is proved by coefficients of the generators at a time.",
     claims: &["collisions-between-steps"],
     families: &["fast_boxes", "crafted_motions"],

@@ -27,8 +27,8 @@ pub const OPERATIONS: Experiment = Experiment {
     title: "Theorem 6.1: operations against the number of generators",
     question: "What does the volume of Theorem 6.1 cost for a body of n generators that turns about an axis and \
                translates? Operations are generators that are read, for their projection and along the boundary of \
-               the projected zonogon, and comparisons that sort them. The half-side of the square is held to the \
-               support function along 256 directions orthogonal to the axis.",
+               the projected zonogon, and comparisons that sort them. The square is held to the support function \
+               along 256 directions orthogonal to the axis.",
     claims: &["theorem-6.1", "farthest-vertex-from-axis"],
     families: FAMILIES,
     sizes: LINEAR_SIZES,
@@ -46,9 +46,9 @@ pub const EXCESS: Experiment = Experiment {
     id: "swept-excess",
     title: "Swept volumes: the excess as the time step shrinks",
     question: "By what part does the volume of each zonotope around a sweep exceed that of the convex hull of sampled \
-               placements, as the time step shrinks? A body of 5 generators turns about an axis as far from its \
-               centre as its generators are long together; n is the number of steps of a quarter turn. Placements are \
-               held to each volume exactly.",
+               placements, as the time step shrinks? A body of 5 generators turns about an axis whose distance \
+               from its centre is the sum of its generators' lengths; n is the number of steps of a quarter turn. \
+               Placements are held to each volume exactly.",
     claims: &["theorem-6.1"],
     families: FAMILIES,
     sizes: PerProfile::both(&[2, 4, 8, 16, 32, 64, 128]),
