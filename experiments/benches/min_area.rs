@@ -30,7 +30,7 @@ fn whole(criterion: &mut Criterion) {
             let points = points(family, n);
             group.throughput(Throughput::Elements(n as u64));
             group.bench_with_input(BenchmarkId::new("hull", n), &points, |bench, points| {
-                bench.iter(|| black_box(convex_hull(points)));
+                bench.iter(|| black_box(convex_hull(points, &mut ())));
             });
             group.bench_with_input(BenchmarkId::new("min_area", n), &points, |bench, points| {
                 bench.iter(|| black_box(min_area(points)));
@@ -43,8 +43,8 @@ fn kernel(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("kernel/circle");
     group.sample_size(10).warm_up_time(Duration::from_millis(100)).measurement_time(Duration::from_secs(1));
     for n in SIZES {
-        let hull = convex_hull(&points("circle", n)).expect("the family makes finite points");
-        let farthest = farthest_vertices(&hull);
+        let hull = convex_hull(&points("circle", n), &mut ()).expect("the family makes finite points");
+        let farthest = farthest_vertices(&hull, &mut ());
         let problem = Bisectors::new(&hull, &farthest).kernel_problem();
         for method in Method::FAST {
             group.bench_with_input(BenchmarkId::new(method.id(), n), &problem, |bench, problem| {

@@ -69,7 +69,7 @@ fn counts_for_precision(id: &str, body: &Zonotope<3>) {
     println!("\n{id}: Lemma 5.5\n| ε asked for | patches | generators | ε reached |\n|---|---|---|---|");
     let (mut samples, mut needed) = (Vec::new(), None);
     for epsilon in (0..24).map(|step| 0.8 * libm::exp2(-f64::from(step) / 6.0)) {
-        let Ok(reduced) = patches_within(body, epsilon) else { continue };
+        let Ok(reduced) = patches_within(body, epsilon, &mut ()) else { continue };
         let (patches, generators) = (patch_count(3, epsilon), reduced.body.generators().len());
         let reached = error(&reduced.body, body, diameter);
         println!("| {epsilon:.3} | {patches} | {generators} | {} |", shown(&reached));

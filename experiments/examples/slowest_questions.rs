@@ -70,7 +70,7 @@ fn least_time(question: &Question) -> f64 {
     let query = question.displacement();
     (0..REPETITIONS).fold(f64::INFINITY, |least, _| {
         let start = Instant::now();
-        let location = by_lad::locate(&query);
+        let location = by_lad::locate(&query, &mut ());
         let time = start.elapsed().as_nanos() as f64;
         assert_eq!(location.status().name(), question.status, "the answer contradicts the construction");
         least.min(time)
@@ -80,7 +80,7 @@ fn least_time(question: &Question) -> f64 {
 /// The rungs that answer a question.
 fn rungs(question: &Question) -> String {
     let mut counts = OperationCounts::default();
-    by_lad::locate_counted(&question.displacement(), &mut counts);
+    by_lad::locate(&question.displacement(), &mut counts);
     let answered = Rung::ALL.into_iter().filter(|rung| counts.answers_of(*rung) > 0);
     answered.map(Rung::name).collect::<Vec<_>>().join(" and ")
 }

@@ -1,5 +1,5 @@
-//! The slowest reductions, distances of bodies and enclosures of points, beside the usual ones: for each kind of
-//! question and family of vectors the median time, and the questions that take longest.
+//! The slowest locations, reductions, distances of bodies and enclosures of points, beside the usual ones: for each
+//! kind of question and family of vectors the median time, and the questions that take longest.
 //!
 //! `cargo run --release -p experiments --example slowest_reductions -- 200 [kind] [family]` asks so many questions of
 //! each kind and family, of one to six dimensions and up to a thousand vectors: generators, or points. Times are those
@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use families::source::RandomSource;
 use zonotope::Zonotope;
+use zonotope::collision::prepared::by_cutting::PreparedByCutting;
 use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 use zonotope::enclosing::min_area;
 use zonotope::enclosing::min_total_length::{Method as LengthMethod, few_generators};
@@ -20,7 +21,11 @@ use zonotope::reduction::{Method, Problem, contains};
 
 const SIZES: [usize; 15] = [1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 50, 100, 200, 400, 1000];
 const PRECISIONS: [f64; 6] = [0.5, 0.2, 0.1, 0.01, 1e-3, 1e-6];
-const KINDS: [&str; 9] = [
+const KINDS: [&str; 13] = [
+    "locate",
+    "gauge",
+    "intersection",
+    "by_cutting",
     "hausdorff",
     "contains",
     "reduce",
@@ -71,7 +76,11 @@ fn main() {
             let mut asked: Vec<Asked> = (0..count).map(|_| ask(kind, family, &mut source)).collect();
             asked.sort_by(|a, b| a.time.total_cmp(&b.time));
             let (Some(middle), Some(last)) = (asked.get(asked.len() / 2), asked.last()) else { continue };
-            println!("{kind} {family}: median {:.3} ms, slowest {:.0} ms", middle.time, last.time);
+            let ratio = last.time / middle.time;
+            println!(
+                "{kind} {family}: median {:.3} ms, slowest {:.1} ms, {ratio:.0} times that",
+                middle.time, last.time
+            );
             for question in asked.iter().rev().take(LISTED) {
                 println!("    {:.1} ms: {}", question.time, question.text);
             }
@@ -82,6 +91,7 @@ fn main() {
 fn ask(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
     let dimensions = match kind {
         "min_area" => 2..=2,
+        "by_cutting" => 3..=3,
         _ if kind.starts_with("min_length") => 1..=4,
         _ => 1..=6,
     };
@@ -103,10 +113,31 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
     }
     let body = Zonotope::new([0.0; D], vectors).expect("the families are finite");
     match kind {
-        "hausdorff" | "contains" => {
+        "by_cutting" => {
+            let generators =
+                body.generators().iter().map(|g| std::array::from_fn(|c| g.get(c).copied().unwrap_or(0.0)));
+            let space = (size * size.isqrt()) as u64;
+            let body = Zonotope::new([0.0; 3], generators.collect()).expect("the families are finite");
+            timed(format!("{size} generators"), || {
+                let prepared = PreparedByCutting::new(body, space, 1, &mut ()).ok()?;
+                prepared.contains([1.0; 3]).ok().map(f64::from)
+            })
+        }
+        "locate" | "gauge" => {
+            let point = body.generators().iter().fold([0.0; D], |sum, g| {
+                let sign = if source.unit() < 0.9 { 1.0 } else { -1.0 };
+                std::array::from_fn(|c| sum[c] + sign * g[c] / 2.0)
+            });
+            timed(format!("R^{D}, {size} generators"), || match kind {
+                "locate" => body.locate(point).ok().map(|_| 0.0),
+                _ => body.gauge(point).ok().map(|_| 0.0),
+            })
+        }
+        "hausdorff" | "contains" | "intersection" => {
             let (other, text) = other_body(family, &body, source);
             let text = format!("{text}, R^{D}, {size} and {} generators", other.generators().len());
             match kind {
+                "intersection" => timed(text, || Some(f64::from(body.intersects(&other)))),
                 "hausdorff" => timed(text, || Some(hausdorff(&body, &other, WIDTH).upper)),
                 _ => timed(text, || contains(&other, &body).map(f64::from)),
             }
@@ -121,7 +152,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
         _ => {
             let epsilon = *one_of(&PRECISIONS, source);
             timed(format!("{epsilon}, R^{D}, {size} generators"), || {
-                patches_within(&body, epsilon).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+                patches_within(&body, epsilon, &mut ()).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
             })
         }
     }
@@ -140,7 +171,7 @@ fn ask_around<const D: usize>(kind: &str, family: &str, points: &[[f64; D]], sou
             let weights = vec![1.0; directions.len()];
             timed(format!("{n} points, {} directions, R^{D}", directions.len()), || {
                 let problem = FixedDirections::new(points, &directions, &weights).ok()?;
-                min_length_along(&problem).ok()?.optimal().map(|answer| answer.value)
+                min_length_along(&problem, &mut ()).ok()?.optimal().map(|answer| answer.value)
             })
         }
         "min_length_few" => {

@@ -100,7 +100,7 @@ fn cuttings_are_as_large_as_their_documentation_says() {
                 let rows: Vec<[f64; 3]> =
                     family.generate(n as usize, 2003).into_iter().map(|([a, b], c)| [a, b, c]).collect();
                 let arrangement = LineArrangement::from_rows(&rows).expect("the rows are finite");
-                let cut = cutting(&arrangement, NonZeroU32::new(r).expect("r is not zero"), 1);
+                let cut = cutting(&arrangement, NonZeroU32::new(r).expect("r is not zero"), 1, &mut ());
                 let (count, crossings) = (cut.trapezoids().len() as f64, cut.total_crossings() as f64);
                 let place = || format!("{}, n = {n}, r = {r}", family.id);
                 assert!(count <= squares * f64::from(r * r), "{}: {count} trapezoids", place());
@@ -124,7 +124,7 @@ fn a_prepared_cutting_takes_the_bytes_that_its_documentation_says() {
         };
         let body = Zonotope::new([0.0; 3], family.generate(256, 2003)).expect("the family is finite");
         for space in [256u64, 4096, 65536] {
-            let held = PreparedByCutting::new(body.clone(), space, 1).expect("the space is enough").bytes();
+            let held = PreparedByCutting::new(body.clone(), space, 1, &mut ()).expect("the space is enough").bytes();
             let a_unit = held as f64 / space as f64;
             assert!(a_unit <= most, "{}: {a_unit} bytes a unit of m = {space}", family.id);
         }

@@ -30,7 +30,7 @@ impl Face {
 
 /// The faces of a body of full dimension; a side is named by its zone.
 pub fn faces_of(body: &Zonotope<3>) -> Vec<Face> {
-    let Ok(Faces::Solid(lattice)) = faces(body) else {
+    let Ok(Faces::Solid(lattice)) = faces(body, &mut ()) else {
         return Vec::new();
     };
     (0..lattice.facet_count() as u32)

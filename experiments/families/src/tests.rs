@@ -1,5 +1,6 @@
 use crate::bodies::{self, BODY_FAMILIES, BodyFamily, PLANE_FAMILIES, SPACE_TIME_FAMILIES};
 use crate::lines::{self, LINE_FAMILIES};
+use crate::motions::{self, SCENES};
 use crate::points::{self, FAMILIES, random_convex};
 use crate::source::RandomSource;
 use std::collections::BTreeSet;
@@ -105,4 +106,22 @@ fn ids_of_bodies_are_distinct() {
     let ids: Vec<_> = ids.chain(SPACE_TIME_FAMILIES.iter().map(|f| f.id)).collect();
     assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
     assert!(ids.iter().all(|id| bodies::is_known(id)));
+}
+
+#[test]
+fn motion_families_depend_on_nothing_but_the_seed_and_only_the_second_body_is_moved_aside() {
+    let fast = motions::find("fast_boxes").expect("listed");
+    for family in SCENES.iter().chain([fast]) {
+        assert!(motions::find(family.id).is_some_and(|found| found.title == family.title), "{}", family.id);
+        let pair = family.generate(7);
+        assert_eq!(pair, family.generate(7), "{}", family.id);
+        assert_ne!(pair, family.generate(8), "{}", family.id);
+        let length: f64 = pair.aside.iter().map(|c| c * c).sum();
+        assert!((length - 1.0).abs() < 1e-12, "{}", family.id);
+        let moved = pair.moved_aside(2.0);
+        assert_eq!((&moved.bodies[0], moved.courses[0]), (&pair.bodies[0], pair.courses[0]));
+        assert_eq!(moved.bodies[1].generators, pair.bodies[1].generators);
+        let gone = [0, 1, 2].map(|k| moved.bodies[1].center[k] - pair.bodies[1].center[k]);
+        assert!((0..3).all(|k| (gone[k] - 2.0 * pair.aside[k]).abs() < 1e-12), "{}", family.id);
+    }
 }

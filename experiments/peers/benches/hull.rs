@@ -25,13 +25,13 @@ fn hulls(criterion: &mut Criterion) {
             let geo_points: geo::MultiPoint = points.iter().map(|&[x, y]| geo::Point::new(x, y)).collect();
             group.throughput(Throughput::Elements(n as u64));
             group.bench_with_input(BenchmarkId::new("by_discarding", n), &points, |bencher, points| {
-                bencher.iter(|| convex_hull(black_box(points)));
+                bencher.iter(|| convex_hull(black_box(points), &mut ()));
             });
             group.bench_with_input(BenchmarkId::new("geo", n), &geo_points, |bencher, points| {
                 bencher.iter(|| black_box(points).convex_hull());
             });
             group.bench_with_input(BenchmarkId::new("by_monotone_chain", n), &points, |bencher, points| {
-                bencher.iter(|| by_monotone_chain::convex_hull(black_box(points)));
+                bencher.iter(|| by_monotone_chain::convex_hull(black_box(points), &mut ()));
             });
         }
         group.finish();
@@ -42,10 +42,10 @@ fn farthest_vertices(criterion: &mut Criterion) {
     for family in FAMILIES {
         let mut group = criterion.benchmark_group(format!("farthest_vertices/{family}"));
         for n in [10_000, 1_000_000] {
-            let hull = convex_hull(&points(family, n)).expect("the families are finite");
+            let hull = convex_hull(&points(family, n), &mut ()).expect("the families are finite");
             group.throughput(Throughput::Elements(hull.edge_count() as u64));
             group.bench_with_input(BenchmarkId::new("by_rotating_calipers", n), &hull, |bencher, hull| {
-                bencher.iter(|| antipodal::farthest_vertices(black_box(hull)));
+                bencher.iter(|| antipodal::farthest_vertices(black_box(hull), &mut ()));
             });
         }
         group.finish();

@@ -60,7 +60,7 @@ impl Motion {
             let direction = [0, 1, 2].map(|k| start[k] + slide * way[k]);
             let at = |distance: f64| Pose::new(turned.matrix(), direction.map(|c| c * distance));
             let unit = at(1.0)?;
-            let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&unit))).value;
+            let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&unit)), &mut ()).value;
             Ok([from, at((1.0 + self.excess) / gauge)?])
         };
         (0..FRAMES).map(frame).collect()
@@ -111,8 +111,8 @@ fn run(bodies: &[PreparedBody; 2], motion: Motion) -> anyhow::Result<Outcome> {
         let direction = black_box([0.1, 0.3, -0.7]);
         outcome.timed(0, i, || first.absolute_sum(&direction) + second.absolute_sum(&direction));
         let query = Query::of_placed(first.at(from), second.at(to));
-        let truth = outcome.timed(1, i, || by_lad::locate(&query).is_member());
-        let mut own = vec![outcome.timed(2, i, || warm.frame(from, to).is_member())];
+        let truth = outcome.timed(1, i, || by_lad::locate(&query, &mut ()).is_member());
+        let mut own = vec![outcome.timed(2, i, || warm.frame(from, to, &mut ()).is_member())];
         if let Some(walking) = &mut walking {
             let frame = outcome.timed(3, i, || walking.frame(from.translation(), to.translation()));
             own.push(frame.context("a place is not finite")?.is_member());

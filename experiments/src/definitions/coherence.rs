@@ -130,17 +130,17 @@ impl Motion {
                     (walked.status(), location, walked.steps())
                 }
                 (None, Some([fixed, moving])) => {
-                    let located = fixed.at(&still).intersection_counted(&moving.at(&pose(place)?), tally);
+                    let located = fixed.at(&still).intersection(&moving.at(&pose(place)?), tally);
                     (located.status(), is_proved.then(|| located.expand()), 0)
                 }
                 (None, None) if variant == "warm" => {
-                    let tracked = warm.frame_counted(&still, &pose(place)?, tally);
+                    let tracked = warm.frame(&still, &pose(place)?, tally);
                     let location = is_proved.then(|| tracked.location());
                     (tracked.status(), location, 0)
                 }
                 (None, None) => {
                     let query = Query::of_placed(fixed.at(&still), moving.at(&pose(place)?));
-                    let location = by_lad::locate_counted(&query, tally);
+                    let location = by_lad::locate(&query, tally);
                     (location.status(), is_proved.then_some(location), 0)
                 }
             };

@@ -47,7 +47,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         Cloud::Space(points) => measure_in_space(case, &points),
         Cloud::Four(points) => {
             let is_inside = |body: &Zonotope<4>, p: [f64; 4]| {
-                Query::of_point(p, body).is_ok_and(|d| by_lad_in_r4::locate(&d).is_member())
+                Query::of_point(p, body).is_ok_and(|d| by_lad_in_r4::locate(&d, &mut ()).is_member())
             };
             Ok(enclosed(case, &points, is_inside)?.0)
         }
@@ -58,8 +58,9 @@ fn measure(case: &Case) -> Result<Measurement, String> {
 fn measure_in_space(case: &Case, points: &[[f64; 3]]) -> Result<Measurement, String> {
     let hull = solid_hull(points).map_err(|error| error.to_string())?.ok_or("the points lie in a plane")?;
     let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| points[vertex]).collect();
-    let is_inside =
-        |body: &Zonotope<3>, p: [f64; 3]| Query::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());
+    let is_inside = |body: &Zonotope<3>, p: [f64; 3]| {
+        Query::of_point(p, body).is_ok_and(|d| by_lad::locate(&d, &mut ()).is_member())
+    };
     let (measurement, answer) = enclosed(case, &corners, is_inside)?;
     let hull_volume = hull.volume(points);
     let volume = combinatorics(&answer.body).measure.to_f64_fast();

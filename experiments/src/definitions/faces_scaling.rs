@@ -49,7 +49,7 @@ fn body(case: &Case) -> Result<Zonotope<3>, String> {
 }
 
 fn lattice(body: &Zonotope<3>) -> Result<FaceLattice, String> {
-    match faces(body).map_err(|error| error.to_string())? {
+    match faces(body, &mut ()).map_err(|error| error.to_string())? {
         Faces::Solid(lattice) | Faces::Flat(lattice) => Ok(lattice),
         Faces::Point(_) | Faces::Segment(_) => Err("no two generators span a plane".to_owned()),
     }

@@ -70,7 +70,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         let direction = [0; 3].map(|_| random.signed_unit());
         let translation = sum.support(direction).point().map(|c| factor * c);
         let pose = Pose::from_translation(translation).map_err(|error| error.to_string())?;
-        let descent = first.at(&still).intersection_counted(&second.at(&pose), &mut counts);
+        let descent = first.at(&still).intersection(&second.at(&pose), &mut counts);
         visited += descent.visited();
         reads += descent.generators_read();
         digest = digest.bytes(descent.status().name().as_bytes()).word(descent.generators_read());

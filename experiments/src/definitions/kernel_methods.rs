@@ -31,11 +31,11 @@ impl KernelInput {
                 case.lines()?.into_iter().map(|(normal, offset)| WeightedLine::unweighted(normal, offset)).collect();
             return LadProblem::new(&lines, [0.0, 0.0]).map(Self::Family).map_err(|error| error.to_string());
         }
-        let hull = convex_hull(&case.points()?).map_err(|error| error.to_string())?;
+        let hull = convex_hull(&case.points()?, &mut ()).map_err(|error| error.to_string())?;
         if !hull.has_area() {
             return Err("the hull has no area, so there are no lines".to_owned());
         }
-        let farthest = farthest_vertices(&hull);
+        let farthest = farthest_vertices(&hull, &mut ());
         Ok(Self::Hull(hull, farthest))
     }
 

@@ -82,7 +82,7 @@ fn prepare(case: &Case) -> Result<TimedWork, String> {
     let (method, seed) = (method(case)?, case.seed);
     let points = case.points()?;
     Ok(Box::new(move |stopwatch| {
-        stopwatch.lap("hull", || convex_hull(&points)).map_err(|error| error.to_string())?;
+        stopwatch.lap("hull", || convex_hull(&points, &mut ())).map_err(|error| error.to_string())?;
         let answer =
             stopwatch.lap("total", || method.solve(&points, seed, &mut ())).map_err(|error| error.to_string())?;
         Ok(digest(&answer))

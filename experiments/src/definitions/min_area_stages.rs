@@ -4,8 +4,8 @@ use super::{SCALING_FAMILIES, min_area_scaling};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::enclosing::min_area_zonogon::Method;
-use zonotope::hull::antipodal::farthest_vertices_counted;
-use zonotope::hull::convex_hull_counted;
+use zonotope::hull::antipodal::farthest_vertices;
+use zonotope::hull::convex_hull;
 use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
 
@@ -38,8 +38,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let points = case.points()?;
     let mut stages = [OperationCounts::default(); 3];
     let [hull_counts, antipodal_counts, kernel_counts] = &mut stages;
-    let hull = convex_hull_counted(&points, hull_counts).map_err(|error| error.to_string())?;
-    let farthest = farthest_vertices_counted(&hull, antipodal_counts);
+    let hull = convex_hull(&points, hull_counts).map_err(|error| error.to_string())?;
+    let farthest = farthest_vertices(&hull, antipodal_counts);
     Method::Pruning.kernel().minimize(&Bisectors::new(&hull, &farthest).kernel_problem(), case.seed, kernel_counts);
 
     let mut counts = OperationCounts::default();
@@ -62,9 +62,8 @@ fn prepare(case: &Case) -> Result<TimedWork, String> {
     let points = case.points()?;
     let seed = case.seed;
     Ok(Box::new(move |stopwatch| {
-        let hull =
-            stopwatch.lap("hull", || convex_hull_counted(&points, &mut ())).map_err(|error| error.to_string())?;
-        let farthest = stopwatch.lap("antipodal", || farthest_vertices_counted(&hull, &mut ()));
+        let hull = stopwatch.lap("hull", || convex_hull(&points, &mut ())).map_err(|error| error.to_string())?;
+        let farthest = stopwatch.lap("antipodal", || farthest_vertices(&hull, &mut ()));
         let problem = stopwatch.lap("lines", || Bisectors::new(&hull, &farthest).kernel_problem());
         stopwatch.lap("kernel", || Method::Pruning.kernel().minimize(&problem, seed, &mut ()));
         let answer = stopwatch

@@ -4,7 +4,7 @@ use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfil
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::reduction::Containment;
-use zonotope::reduction::by_patches::patches_within_counted;
+use zonotope::reduction::by_patches::patches_within;
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
@@ -36,7 +36,7 @@ pub const EXPERIMENT: Experiment = Experiment {
 fn measure(case: &Case) -> Result<Measurement, String> {
     let body = Zonotope::new([0.0; 3], case.body()?).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
-    let reduced = patches_within_counted(&body, EPSILON, &mut counts).map_err(|error| error.to_string())?;
+    let reduced = patches_within(&body, EPSILON, &mut counts).map_err(|error| error.to_string())?;
     let check = "shares of the generators, exactly";
     let verdict = match &reduced.proof {
         Containment::Shares(shares) => Verdict::of_check(check, shares.check(&body, &reduced.body)),

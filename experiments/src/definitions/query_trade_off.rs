@@ -49,11 +49,11 @@ pub(super) fn measure_with(case: &Case, generators: usize, space: u64) -> Result
     let n = generators as f64;
     let generators = case.body_family()?.generate(generators, case.instance_seed);
     let body = Zonotope::new([0.0; 3], generators.clone()).map_err(|error| error.to_string())?;
-    let prepared = PreparedByCutting::new(body, space, case.seed).map_err(|error| error.to_string())?;
+    let prepared = PreparedByCutting::new(body, space, case.seed, &mut ()).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
     let (mut digest, mut verdict, mut asked) = (Digest::default(), Verdict::Correct(PROVED.to_owned()), 0);
     for question in questions(&generators, case.instance_seed) {
-        let facet = prepared.facet_counted(question.to, &mut counts).map_err(|error| error.to_string())?;
+        let facet = prepared.facet(question.to, &mut counts).map_err(|error| error.to_string())?;
         digest = digest.floats(&[facet.value().0]).bytes(facet.status().name().as_bytes());
         asked += 1;
         let location = prepared.locate(question.to).map_err(|error| error.to_string())?;

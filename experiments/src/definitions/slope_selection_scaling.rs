@@ -6,9 +6,7 @@ use crate::definition::{
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{
-    ArrangementVertex, Method, kth_leftmost_vertex, kth_leftmost_vertex_counted,
-};
+use zonotope::arrangement::slope_selection::{ArrangementVertex, Method, kth_leftmost_vertex};
 use zonotope::tally::OperationCounts;
 
 const FAMILIES: &[&str] =
@@ -57,13 +55,12 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let arrangement = arrangement(case)?;
     let rank = median_rank(&arrangement);
     let mut counts = OperationCounts::default();
-    let vertex =
-        kth_leftmost_vertex_counted(&arrangement, rank, case.seed, &mut counts).map_err(|error| error.to_string())?;
+    let vertex = kth_leftmost_vertex(&arrangement, rank, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let (reference, expected) = if case.n <= TWIN_LIMIT {
         let all = Method::BruteForce.vertices(&arrangement, &[rank], case.seed);
         (Method::BruteForce.id(), all.map(|mut vertices| vertices.swap_remove(0)))
     } else {
-        ("randomized with another seed", kth_leftmost_vertex(&arrangement, rank, !case.seed))
+        ("randomized with another seed", kth_leftmost_vertex(&arrangement, rank, !case.seed, &mut ()))
     };
     let (found, expected) = (vertex.exact_x(), expected.map_err(|error| error.to_string())?.exact_x());
     let same = if found == expected { Ok(()) } else { Err(format!("the abscissa is {found}, expected {expected}")) };
@@ -76,7 +73,7 @@ fn prepare(case: &Case) -> Result<TimedWork, String> {
     let (rank, seed) = (median_rank(&arrangement), case.seed);
     Ok(Box::new(move |stopwatch| {
         let vertex = stopwatch
-            .lap("total", || kth_leftmost_vertex_counted(&arrangement, rank, seed, &mut ()))
+            .lap("total", || kth_leftmost_vertex(&arrangement, rank, seed, &mut ()))
             .map_err(|error| error.to_string())?;
         Ok(digest(&vertex))
     }))

@@ -47,11 +47,11 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     for question in questions(&generators, case.instance_seed) {
         let (value, location) = match &tree {
             Some(tree) => {
-                let measured = tree.gauge_counted(question.to, &mut counts).map_err(|error| error.to_string())?;
+                let measured = tree.gauge(question.to, &mut counts).map_err(|error| error.to_string())?;
                 (measured.value, measured.location.expand())
             }
             None => {
-                let gauge = by_lad::gauge_counted(&question.displacement(), &mut counts);
+                let gauge = by_lad::gauge(&question.displacement(), &mut counts);
                 (gauge.value, gauge.location)
             }
         };

@@ -63,7 +63,7 @@ fn draw_pair(scene: &mut Scene, window: PageBox, second_center: [f64; 2]) {
     let mut panel = Panel::new(scene, Frame::fit(&world, window));
     panel.polygon(&corners[0], &FIRST_PAINT);
     panel.polygon(&corners[1], &SECOND_PAINT);
-    match by_lad::locate(&Query::between(&first, &second)) {
+    match by_lad::locate(&Query::between(&first, &second), &mut ()) {
         Location::Inside(witness) | Location::Boundary(witness) => draw_witness(&mut panel, &first, &second, &witness),
         Location::Outside(Separation::Rounded(direction)) => draw_separation(&mut panel, &first, &second, direction),
         Location::Outside(Separation::Exact(_)) => {}

@@ -49,7 +49,7 @@ const BESIDE: f64 = 1e-3;
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let pair = DualPair::new(&GENERATOR_ROWS);
     let lines = LineArrangement::from_rows(&GENERATOR_ROWS).expect("the generators of a figure are small integers");
-    let cut = cutting(&lines, NonZeroU32::new(R).expect("two is not zero"), 1);
+    let cut = cutting(&lines, NonZeroU32::new(R).expect("two is not zero"), 1, &mut ());
     let mut scene = Scene::new(2.0 * PANEL[0], TOP + PANEL[1], FIGURE.title, FIGURE.caption);
     let window = |column: f64| PageBox::new(PANEL[0] * column + 20.0, TOP + 6.0, PANEL[0] - 40.0, PANEL[1] - 40.0);
     for (column, heading) in ["The cutting", "Its image"].into_iter().enumerate() {

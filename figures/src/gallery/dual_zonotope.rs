@@ -40,7 +40,7 @@ const CIRCLE_POINTS: usize = 120;
 const MARKED_DISTANCE: f64 = 1e-4;
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let coarse = by_direction_net::min_length_by_net(&POINTS, 0.9, Net::Cells).expect("the points are finite");
+    let coarse = by_direction_net::min_length_by_net(&POINTS, 0.9, Net::Cells, &mut ()).expect("the points are finite");
     let fine = min_length(&POINTS, 1e-6).expect("the points are finite");
     let (width, height) = (2.0 * CELL[0], 2.0 * CELL[1]);
     let mut scene = Scene::new(width, height + 44.0, FIGURE.title, FIGURE.caption);

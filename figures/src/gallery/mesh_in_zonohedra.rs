@@ -101,7 +101,7 @@ fn direction_sets() -> [Vec<[f64; 3]>; 4] {
 fn along(points: &[[f64; 3]], directions: &[[f64; 3]]) -> (Zonotope<3>, f64) {
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(points, directions, &weights).expect("the coordinates are finite");
-    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem) else {
+    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem, &mut ()) else {
         unreachable!("three diagonals of a solid span space")
     };
     (answer.zonotope(&problem).expect("the mesh is far from the range's ends"), answer.value)

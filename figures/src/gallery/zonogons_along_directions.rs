@@ -69,7 +69,7 @@ fn spread(count: usize) -> Vec<[f64; 2]> {
 fn along(points: &[[f64; 2]], directions: &[[f64; 2]]) -> (Zonotope<2>, f64) {
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(points, directions, &weights).expect("the coordinates are finite");
-    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem) else {
+    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem, &mut ()) else {
         unreachable!("two different directions or more span the plane")
     };
     (answer.zonotope(&problem).expect("the outline is far from the range's ends"), answer.value)

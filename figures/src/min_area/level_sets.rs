@@ -12,7 +12,7 @@ use zonotope::hull::convex_hull;
 /// `value` is the function; the level set must be bounded. Empty below the minimum.
 pub fn level_set(lines: &[DrawnLine], value: &dyn Fn([f64; 2]) -> f64, level: f64) -> Vec<[f64; 2]> {
     let corners: Vec<[f64; 2]> = lines.iter().flat_map(|line| level_on_line(line, lines, value, level)).collect();
-    convex_hull(&corners).map(|hull| hull.vertices().to_vec()).unwrap_or_default()
+    convex_hull(&corners, &mut ()).map(|hull| hull.vertices().to_vec()).unwrap_or_default()
 }
 
 /// The points of a line where the function meets the level: none, or two.

@@ -40,8 +40,8 @@ impl Polygon {
     /// # Errors
     /// If there are none, too many, or one is not finite.
     pub fn of(points: &[[f64; 2]]) -> Result<Self, HullError> {
-        let hull = convex_hull(points)?;
-        let farthest = farthest_vertices(&hull);
+        let hull = convex_hull(points, &mut ())?;
+        let farthest = farthest_vertices(&hull, &mut ());
         Ok(Self { points: points.to_vec(), hull, farthest })
     }
 
@@ -52,7 +52,7 @@ impl Polygon {
 
     /// Z(O).
     pub fn centered_zonogon(&self, center: [f64; 2]) -> CenteredZonogon<'_> {
-        CenteredZonogon::new(&self.hull, &self.farthest, center)
+        CenteredZonogon::new(&self.hull, &self.farthest, center, &mut ())
     }
 
     /// f(O), the area of Z(O).

@@ -7,6 +7,7 @@
 //! | `runs` | the combinatorial description of Z(O) and the paper's area formula |
 //! | `subdifferential` | first-order facts about f |
 //! | [`space`] | zonotopes of R^3 |
+//! | `turning` | rotations about an axis and translations |
 //! | `upper_hull` | the facets that look up, and the crossings dual to them |
 //! | `enclosing` | zonotopes along given directions, in any dimension |
 //! | `pyramids` | volumes in any dimension |
@@ -23,4 +24,5 @@ pub(crate) mod runs;
 pub(crate) mod signs;
 pub mod space;
 pub(crate) mod subdifferential;
+pub(crate) mod turning;
 pub(crate) mod upper_hull;

@@ -131,6 +131,12 @@ impl Body {
         self.deciding_normals().iter().all(|normal| normal.dot(&offset) < self.reach(normal))
     }
 
+    /// The first of other bodies that sticks out of this one.
+    pub(crate) fn first_outside<'a>(&self, others: &'a [Body]) -> Option<&'a Body> {
+        let normals = self.deciding_normals();
+        others.iter().find(|other| normals.iter().any(|normal| other.support(normal) > self.support(normal)))
+    }
+
     fn deciding_normals(&self) -> BTreeSet<Vector> {
         let mut spanning = self.generators.clone();
         spanning.extend([[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector::at));

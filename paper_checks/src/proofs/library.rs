@@ -26,9 +26,9 @@ pub(crate) fn encloses(answer: &MinAreaZonogon, points: &[Point]) -> bool {
 
 /// The library's Z(O) of a polygon in doubles: its vertices in order, and the number of runs in its description.
 pub(crate) fn centered_zonogon(polygon: &[Point], center: [f64; 2]) -> (Vec<Point>, usize) {
-    let hull = convex_hull(&doubles(polygon)).expect("a polygon has vertices, and they are finite");
-    let farthest = farthest_vertices(&hull);
-    let zonogon = CenteredZonogon::new(&hull, &farthest, center);
+    let hull = convex_hull(&doubles(polygon), &mut ()).expect("a polygon has vertices, and they are finite");
+    let farthest = farthest_vertices(&hull, &mut ());
+    let zonogon = CenteredZonogon::new(&hull, &farthest, center, &mut ());
     let vertex = |at| {
         let [x, y] = zonogon.exact_vertex(at).map(|coordinate| coordinate.to_rational());
         Point::new(x, y)

@@ -22,9 +22,9 @@ fn with_center(points: Points) -> impl Strategy<Value = (Vec<Point>, Point)> {
 
 fn agrees((points, center): (Vec<Point>, Point)) -> Result<(), TestCaseError> {
     prop_assume!(center.iter().all(|coordinate| coordinate.is_finite()));
-    let hull = convex_hull(&points).map_err(|error| TestCaseError::fail(error.to_string()))?;
-    let farthest = farthest_vertices(&hull);
-    let zonogon = CenteredZonogon::new(&hull, &farthest, center);
+    let hull = convex_hull(&points, &mut ()).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let farthest = farthest_vertices(&hull, &mut ());
+    let zonogon = CenteredZonogon::new(&hull, &farthest, center, &mut ());
 
     let given: Vec<plane::Point> = points.iter().copied().map(plane::Point::exactly).collect();
     let truth = plane::zonogon_about(&given, &plane::Point::exactly(center));

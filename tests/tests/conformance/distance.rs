@@ -25,7 +25,7 @@ const POSES: u32 = 100_000;
 fn agrees<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
     let query = asked.displacement();
     let truth = brute_force::nearest_point(&query);
-    let answer = by_support_simplex::proximity(&query);
+    let answer = by_support_simplex::proximity(&query, &mut ());
     prop_assert_eq!(answer.status(), location_twin::locate(&query).status());
     prop_assert_eq!(answer.exact_squared_distance(), truth.squared_distance);
     let Some(gap) = answer.gap() else { return Ok(()) };
@@ -66,8 +66,8 @@ fn in_space_with_many_generators() {
     for (family, generators) in families::<3>(40) {
         for_all(&asked(generators), 60, |asked| {
             let query = asked.displacement();
-            let answer = by_support_simplex::proximity(&query);
-            prop_assert_eq!(answer.status(), by_lad::locate(&query).status());
+            let answer = by_support_simplex::proximity(&query, &mut ());
+            prop_assert_eq!(answer.status(), by_lad::locate(&query, &mut ()).status());
             let proof = answer.gap().map_or(Ok(()), |gap| check_distance(&query, gap).proof().map(drop));
             prop_assert_eq!(proof, Ok(()), "{}", family);
             Ok(())
@@ -152,8 +152,8 @@ fn keeps_its_sign((sides, quaternion, coefficients, direction, steps): Contact) 
     let a = Zonotope::new([0.0; 3], first).expect("finite");
     let b = Zonotope::new(center, second).expect("finite");
     let query = Query::between(&a, &b);
-    let answer = by_support_simplex::proximity(&query);
-    prop_assert_eq!(answer.status(), by_lad::locate(&query).status());
+    let answer = by_support_simplex::proximity(&query, &mut ());
+    prop_assert_eq!(answer.status(), by_lad::locate(&query, &mut ()).status());
     let distance = answer.distance();
     prop_assert!(distance.is_finite() && (distance > 0.0) == (answer.status() == Status::Outside));
     let Some(gap) = answer.gap() else { return Ok(()) };

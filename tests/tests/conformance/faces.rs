@@ -63,7 +63,7 @@ fn faces_in_space_are_those_of_the_twin() {
                 let generators = family.generate(count, seed);
                 let truth = faces_by_dimension(&generators);
                 let body = Zonotope::new([0.0; 3], generators.clone()).expect("families are finite");
-                match faces(&body).expect("few directions") {
+                match faces(&body, &mut ()).expect("few directions") {
                     Faces::Flat(lattice) | Faces::Solid(lattice) => check_lattice(&lattice, &truth),
                     Faces::Segment(_) => assert_eq!(truth.len(), 2),
                     Faces::Point(_) => assert_eq!(truth.len(), 1),
@@ -94,7 +94,7 @@ fn faces_in_space_time_are_those_of_the_twin() {
 fn many_generators_keep_the_laws_of_polytopes() {
     for family in BODY_FAMILIES {
         let body = Zonotope::new([0.0; 3], family.generate(150, 1)).expect("families are finite");
-        let (Faces::Flat(lattice) | Faces::Solid(lattice)) = faces(&body).expect("few directions") else {
+        let (Faces::Flat(lattice) | Faces::Solid(lattice)) = faces(&body, &mut ()).expect("few directions") else {
             unreachable!("150 generators of a family have more than one direction")
         };
         assert_eq!(lattice.vertex_count() + lattice.facet_count(), lattice.edge_count() + 2, "{}", family.id);

@@ -25,15 +25,15 @@ type Answer<const D: usize> = Result<Enclosure<D>, FixedDirectionsError>;
 
 /// Every method and engine by name.
 fn answers<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<(String, Answer<D>)> {
-    let mut answers = vec![("row generation".to_owned(), min_length_along(problem))];
+    let mut answers = vec![("row generation".to_owned(), min_length_along(problem, &mut ()))];
     for engine in [&Clarabel as &dyn Engine, &Microlp] {
         answers.push((
             format!("support form, {}", engine.name()),
-            support_form::min_length_by_support_form(problem, engine),
+            support_form::min_length_by_support_form(problem, engine, &mut ()),
         ));
         answers.push((
             format!("paper's program, {}", engine.name()),
-            papers_program::min_length_by_papers_program(problem, engine),
+            papers_program::min_length_by_papers_program(problem, engine, &mut ()),
         ));
     }
     answers

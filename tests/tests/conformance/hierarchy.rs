@@ -26,7 +26,7 @@ const CONTAINED_GENERATORS: usize = 60;
 fn answers(bodies: &[Zonotope<3>; 2], status: &str, name: &str) {
     let [first, second] = bodies.each_ref().map(|body| Hierarchy::new(body.clone()));
     let query = Query::between(&bodies[0], &bodies[1]);
-    let descent = first.intersection(&second);
+    let descent = first.intersection(&second, &mut ());
     assert_eq!(descent.status().name(), status, "{name}");
     assert_eq!(descent.separation().is_some(), descent.status() == Status::Outside, "{name}");
     assert_eq!(descent.level_witness().is_some(), descent.status() != Status::Outside, "{name}");
@@ -78,7 +78,7 @@ fn levels_tell_what_the_bodies_do_over_the_range_of_doubles() {
             let (first, second) = asked.generators.split_at(asked.generators.len() / 3);
             let body = |center, generators: &[[f64; 3]]| Zonotope::new(center, generators.to_vec()).expect("finite");
             let bodies = [body(asked.from, first), body(asked.to, second)];
-            let status = by_lad::locate(&Query::between(&bodies[0], &bodies[1])).status();
+            let status = by_lad::locate(&Query::between(&bodies[0], &bodies[1]), &mut ()).status();
             answers(&bodies, status.name(), name);
             Ok(())
         });

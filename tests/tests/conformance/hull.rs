@@ -18,13 +18,13 @@ fn exact(points: &[Point]) -> Vec<plane::Point> {
 }
 
 fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
-    let hull = convex_hull(&points).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let hull = convex_hull(&points, &mut ()).map_err(|error| TestCaseError::fail(error.to_string()))?;
     let truth = plane::convex_hull(&exact(&points));
     prop_assert_eq!(exact(hull.vertices()), truth.clone());
-    prop_assert_eq!(&hull, &brute_force::convex_hull(&points).expect("the default method took it"));
+    prop_assert_eq!(&hull, &brute_force::convex_hull(&points, &mut ()).expect("the default method took it"));
     prop_assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()));
 
-    let farthest = antipodal::farthest_vertices(&hull);
+    let farthest = antipodal::farthest_vertices(&hull, &mut ());
     prop_assert_eq!(farthest.len(), if truth.len() >= 3 { truth.len() } else { 0 });
     for (t, found) in farthest.iter().enumerate() {
         let expected = plane::farthest_vertices(&truth, t);

@@ -209,7 +209,7 @@ fn nets_keep_their_ratio() {
     for net in [Net::Paper, Net::Cells] {
         let solve = |epsilon: f64| {
             move |points: Vec<[f64; 3]>| {
-                let answer = by_direction_net::min_length_by_net(&points, epsilon, net)
+                let answer = by_direction_net::min_length_by_net(&points, epsilon, net, &mut ())
                     .map_err(|error| TestCaseError::fail(error.to_string()))?;
                 let best = solved(&points, 1e-6)?;
                 prop_assert!(answer.value <= (1.0 + epsilon) * best.value, "{} {}", answer.value, best.value);
@@ -219,7 +219,7 @@ fn nets_keep_their_ratio() {
         for_all(&sets::<3>(plain, 8), 12, solve(0.5));
         for_all(&sets::<3>(plain, 8), 4, solve(if net == Net::Paper { 0.4 } else { 0.1 }));
         for_all(&sets::<2>(plain, 12), 24, |points| {
-            let answer = by_direction_net::min_length_by_net(&points, 0.05, net)
+            let answer = by_direction_net::min_length_by_net(&points, 0.05, net, &mut ())
                 .map_err(|error| TestCaseError::fail(error.to_string()))?;
             prop_assert!(answer.value <= 1.05 * in_the_plane::least_length(&points) * (1.0 + 1e-12));
             proven_at_its_ratio(&points, &answer, 0.05)

@@ -110,7 +110,7 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
 }
 
 /// Stages of other problems, and a problem of which a batch has no kind of question: none asks for them alone.
-const REGISTRIES_OF_STAGES: [&str; 3] = ["arrangement/dynamic_hull", "hull", "lad/of_lines"];
+const REGISTRIES_OF_STAGES: [&str; 2] = ["hull", "lad/of_lines"];
 
 /// `list methods` prints the methods of the kinds: those of the registries, the default first, and no others.
 #[test]

@@ -29,6 +29,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use tests::dice::Dice;
 use tests::questions::{self, Population};
+use tests::runner::cases;
 
 fn tree(value: &Value) -> Tree {
     read(value.to_string().as_bytes(), MAX_VALUES).expect("an answer is JSON")
@@ -87,7 +88,7 @@ fn pose(dimension: usize) -> impl Strategy<Value = Value> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(cases(120)))]
 
     #[test]
     fn in_places_of_points_and_bodies((generators, [p, q, r]) in bodies()) {
@@ -136,17 +137,6 @@ proptest! {
     }
 
     #[test]
-    fn in_swept_volumes(
-        (generators, [p, q, v]) in (vectors(3, 0..4), [vector(3), vector(3), vector(3)]),
-        axis in 0usize..3,
-    ) {
-        let directions = [[0.0, 0.0, 1.0], [1.0, -2.0, 0.0], [0.3, 0.1, 0.2]];
-        let body = json!({"center": p, "generators": generators, "axis_point": q, "axis": directions[axis],
-            "angle": 1.25, "translation": v});
-        errors_are_noticed("sweep", &body)?;
-    }
-
-    #[test]
     fn in_arrangements(generators in vectors(3, 2..6), k in 1usize..4, p0 in vector(2)) {
         errors_are_noticed("slope_selection", &json!({"generators": generators, "k": [k]}))?;
         errors_are_noticed("separator", &json!({"generators": generators, "k": k}))?;
@@ -164,6 +154,22 @@ proptest! {
     }
 }
 
+proptest! {
+    // each of these answers takes a second to judge by the definition in all its fields
+    #![proptest_config(ProptestConfig::with_cases(cases(40)))]
+
+    #[test]
+    fn in_swept_volumes(
+        (generators, [p, q, v]) in (vectors(3, 0..4), [vector(3), vector(3), vector(3)]),
+        axis in 0usize..3,
+    ) {
+        let directions = [[0.0, 0.0, 1.0], [1.0, -2.0, 0.0], [0.3, 0.1, 0.2]];
+        let body = json!({"center": p, "generators": generators, "axis_point": q, "axis": directions[axis],
+            "angle": 1.25, "translation": v});
+        errors_are_noticed("sweep", &body)?;
+    }
+}
+
 /// Terms of least absolute deviations: normal, offset and weight.
 fn terms<const D: usize>() -> impl Strategy<Value = Vec<([f64; D], f64, f64)>> {
     let term = (prop::array::uniform(number()), number(), (0u8..3).prop_map(f64::from));
@@ -171,7 +177,7 @@ fn terms<const D: usize>() -> impl Strategy<Value = Vec<([f64; D], f64, f64)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(cases(120)))]
 
     #[test]
     fn in_convex_hulls(points in prop::collection::vec(prop::array::uniform(number()), 1..9)) {
@@ -197,8 +203,8 @@ proptest! {
     }
 }
 
-/// The number of mutants that an ordinary run makes of each population, of all kinds together.
-const MUTANTS: usize = 17_000;
+/// The number of mutants that a long run makes of each population, of all kinds together.
+const MUTANTS: u32 = 60_000;
 
 /// The variable of the environment that names another number of mutants.
 const MUTANTS_VARIABLE: &str = "ZONOTOPE_MUTANTS";
@@ -208,7 +214,8 @@ const SHOWN: usize = 3;
 
 /// Makes mutants of all kinds from a population of questions: none that is false is called right.
 fn mutants_are_judged_as_by_the_definition(population: Population) {
-    let wanted = std::env::var(MUTANTS_VARIABLE).map_or(MUTANTS, |text| text.parse().expect("a number of mutants"));
+    let wanted = std::env::var(MUTANTS_VARIABLE)
+        .map_or(cases(MUTANTS) as usize, |text| text.parse().expect("a number of mutants"));
     let questions = wanted.div_ceil(KINDS.len() * MUTANTS_AN_ANSWER);
     let mut counts: BTreeMap<String, Counts> = BTreeMap::new();
     let mut faults = Vec::new();

@@ -49,7 +49,7 @@ fn written(numbers: &[Fraction]) -> Vec<String> {
 }
 
 pub fn in_convex_hulls(points: &[[f64; 2]]) -> Result<(), TestCaseError> {
-    let found = convex_hull(points).expect("the points are finite");
+    let found = convex_hull(points, &mut ()).expect("the points are finite");
     let right: Vec<usize> = found.indices().iter().map(|index| index.get()).collect();
     let exact = |index: &usize| Point::exactly(points[*index]);
     let truth = plane::convex_hull(&points.iter().copied().map(Point::exactly).collect::<Vec<_>>());
@@ -152,7 +152,7 @@ pub fn in_optima_by_lines(linear: [f64; 2], terms: &[([f64; 2], f64, f64)]) -> R
     let lines: Vec<WeightedLine> =
         terms.iter().map(|&(normal, offset, weight)| WeightedLine { normal, offset, weight }).collect();
     let problem = LadProblem::new(&lines, linear).expect("the numbers are finite");
-    let outcome = minimize(&problem, 1);
+    let outcome = minimize(&problem, 1, &mut ());
     let mut right = lad_answer(&problem, &outcome).expect("the minimiser is one of this problem");
     if let (LadAnswer::Optimal { value, .. }, Some(optimum)) = (&mut right, outcome.optimum()) {
         let exact = optimum.exact_value(&problem).expect("the optimum is one of this problem");
@@ -164,7 +164,7 @@ pub fn in_optima_by_lines(linear: [f64; 2], terms: &[([f64; 2], f64, f64)]) -> R
 pub fn in_optima_by_forms(linear: [f64; 3], terms: &[([f64; 3], f64, f64)]) -> Result<(), TestCaseError> {
     let planes = terms.iter().map(|&(normal, offset, weight)| WeightedPlane { normal, offset, weight });
     let problem = SpaceLadProblem::new(planes.collect(), linear).expect("the numbers are finite");
-    in_an_optimum(linear, terms, &lad_of_forms_answer(&of_forms::minimize(&problem)))
+    in_an_optimum(linear, terms, &lad_of_forms_answer(&of_forms::minimize(&problem, &mut ())))
 }
 
 fn tiling_json(answer: &TilingAnswer) -> Value {

@@ -19,7 +19,7 @@ fn random_body(count: usize) -> Zonotope<3> {
 }
 
 fn lattice(body: &Zonotope<3>) -> FaceLattice {
-    match faces(body) {
+    match faces(body, &mut ()) {
         Ok(Faces::Solid(lattice)) => lattice,
         _ => unreachable!("random generators span space"),
     }

@@ -33,11 +33,11 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         fixed_directions::brute_force::least_length::<D> as *const (),
         fixed_directions::rational::min_length_in_rationals::<D> as *const (),
         min_total_length::Method::solve::<D> as *const (),
-        min_total_length::by_direction_net::min_length_by_net_counted::<D> as *const (),
+        min_total_length::by_direction_net::min_length_by_net::<D> as *const (),
         min_total_length::few_generators::fewest::<D> as *const (),
         min_total_length::few_generators::shortest_of_few::<D> as *const (),
         reduction::Method::reduce::<D> as *const (),
-        reduction::by_patches::patches_within_counted::<D> as *const (),
+        reduction::by_patches::patches_within::<D> as *const (),
         reduction::contains::<D> as *const (),
         reduction::Reduced::<D>::distance as *const (),
         hausdorff::hausdorff::<D> as *const (),
@@ -48,8 +48,8 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
     ];
     #[cfg(feature = "linear-programming")]
     instances.extend([
-        fixed_directions::support_form::min_length_by_support_form_counted::<D> as *const (),
-        fixed_directions::papers_program::min_length_by_papers_program_counted::<D> as *const (),
+        fixed_directions::support_form::min_length_by_support_form::<D> as *const (),
+        fixed_directions::papers_program::min_length_by_papers_program::<D> as *const (),
     ]);
     instances
 }
@@ -57,10 +57,10 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
 /// The addresses of the functions about bodies under poses.
 pub fn instances_under_poses() -> Vec<*const ()> {
     vec![
-        collision::by_lad::locate_counted::<3, Pose> as *const (),
-        collision::by_lad::gauge_counted::<3, Pose> as *const (),
-        collision::by_lad::nearest_gauge_counted::<3, Pose> as *const (),
-        distance::by_support_simplex::proximity_counted::<3, Pose> as *const (),
-        distance::penetration::by_inner_polytope::penetration_counted::<Pose> as *const (),
+        collision::by_lad::locate::<3, Pose> as *const (),
+        collision::by_lad::gauge::<3, Pose> as *const (),
+        collision::by_lad::nearest_gauge::<3, Pose> as *const (),
+        distance::by_support_simplex::proximity::<3, Pose> as *const (),
+        distance::penetration::by_inner_polytope::penetration::<Pose> as *const (),
     ]
 }

@@ -140,6 +140,7 @@ pub mod numeric;
 mod property_cases;
 pub mod reduction;
 pub mod seed;
+mod tables;
 pub mod tally;
 pub mod zonotope;
 

@@ -4,10 +4,10 @@ use proptest::test_runner::Config;
 
 /// An ordinary run draws one in so many of the instances of a long run, which the variable `ZONOTOPE_CASES=long` of the
 /// environment asks for. It is read when the tests are compiled, since the library reads no environment.
-const ORDINARY_SHARE: u32 = 4;
+const ORDINARY_SHARE: u32 = 12;
 
 /// An ordinary run draws at least so many instances, if a long run does.
-const ORDINARY_MINIMUM: u32 = 16;
+const ORDINARY_MINIMUM: u32 = 8;
 
 /// The configuration of a property whose long run has `long_run` instances. Those of an ordinary run are the first of
 /// them.

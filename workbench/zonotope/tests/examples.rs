@@ -23,12 +23,14 @@ examples! {
     distance_of_bodies: "../examples/distance_of_bodies.rs",
     gauge_and_plane: "../examples/gauge_and_plane.rs",
     least_area: "../examples/least_area.rs",
+    link_past_a_box: "../examples/link_past_a_box.rs",
     membership: "../examples/membership.rs",
     moving_boxes: "../examples/moving_boxes.rs",
     order_reduction: "../examples/order_reduction.rs",
     posed_bodies: "../examples/posed_bodies.rs",
     prepared_bodies: "../examples/prepared_bodies.rs",
     readme: "../examples/readme.rs",
+    volume_of_a_turn: "../examples/volume_of_a_turn.rs",
 }
 
 /// An example that is not named above would never run.

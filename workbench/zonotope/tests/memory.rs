@@ -34,7 +34,7 @@ fn each_question(distances: &[f64], mut look: impl FnMut(&Query<'_, 3>, f64)) {
         for &distance in distances {
             let direction = vector(random);
             let ray = Query::new([0.0; 3], direction, &body).expect("finite");
-            let length = (1.0 + distance) / by_lad::gauge(&ray).value;
+            let length = (1.0 + distance) / by_lad::gauge(&ray, &mut ()).value;
             let query = Query::new([0.0; 3], direction.map(|c| length * c), &body).expect("finite");
             look(&query, distance);
         }
@@ -44,7 +44,7 @@ fn each_question(distances: &[f64], mut look: impl FnMut(&Query<'_, 3>, f64)) {
 #[test]
 fn a_location_takes_memory_for_its_answer_alone() {
     each_question(&[-0.9, -0.5, -0.1, -1e-3, -1e-9, 1e-9, 1e-3, 0.1, 1.0, 5.0], |query, distance| {
-        let (taken, location) = taken(|| by_lad::locate(query));
+        let (taken, location) = taken(|| by_lad::locate(query, &mut ()));
         let status = if distance < 0.0 { Status::Inside } else { Status::Outside };
         assert_eq!(location.status(), status);
         // the coefficients and the basis of a member
@@ -56,7 +56,7 @@ fn a_location_takes_memory_for_its_answer_alone() {
 #[test]
 fn a_gauge_without_its_proof_takes_none() {
     each_question(&[-0.5, -1e-9, 1e-9, 1.0], |query, distance| {
-        let (taken, facet) = taken(|| by_lad::facet(query).value());
+        let (taken, facet) = taken(|| by_lad::facet(query, &mut ()).value());
         assert!((facet.0 - 1.0 - distance).abs() <= 1e-12 * (1.0 + distance), "{facet:?}");
         assert_eq!(taken, 0, "{} generators at {distance}", query.len());
     });

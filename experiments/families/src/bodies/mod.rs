@@ -25,3 +25,4 @@ mod random;
 
 pub use catalog::{BODY_FAMILIES, NEAR_BALLS, PLANE_FAMILIES, SPACE_TIME_FAMILIES, find, is_known};
 pub use family::BodyFamily;
+pub(crate) use random::unit_vector;

@@ -58,7 +58,7 @@ pub(super) fn normal_vector<const D: usize>(source: &mut RandomSource) -> [f64; 
 }
 
 /// A uniformly random unit vector, up to rounding.
-pub(super) fn unit_vector(source: &mut RandomSource) -> [f64; 3] {
+pub(crate) fn unit_vector(source: &mut RandomSource) -> [f64; 3] {
     loop {
         let [x, y, z]: [f64; 3] = normal_vector(source);
         let length = (x * x + y * y + z * z).sqrt();

@@ -59,7 +59,7 @@ pub const LOCATE_PREPARED: Contender = Contender {
     largest: usize::MAX,
     prepare: |question| {
         let bodies = question.bodies().map(PreparedBody::new);
-        Some(Box::new(move || Answer::Member(by_lad::locate(&between(&bodies)).is_member())))
+        Some(Box::new(move || Answer::Member(by_lad::locate(&between(&bodies), &mut ()).is_member())))
     },
 };
 
@@ -69,7 +69,7 @@ pub const GAUGE_PREPARED: Contender = Contender {
     largest: usize::MAX,
     prepare: |question| {
         let bodies = question.bodies().map(PreparedBody::new);
-        Some(Box::new(move || Answer::Member(by_lad::gauge(&between(&bodies)).location.is_member())))
+        Some(Box::new(move || Answer::Member(by_lad::gauge(&between(&bodies), &mut ()).location.is_member())))
     },
 };
 

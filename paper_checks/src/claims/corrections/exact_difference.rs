@@ -25,7 +25,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let segment = |center: f64, half: f64| {
         Zonotope::new([center, 0.0, 0.0], vec![[half, 0.0, 0.0]]).expect("the coordinates are finite")
     };
-    let answer = by_lad::locate(&Query::between(&segment(p, half), &segment(q, 0.0)));
+    let answer = by_lad::locate(&Query::between(&segment(p, half), &segment(q, 0.0)), &mut ());
     let sum = Body { center: Vector::exactly([p, 0.0, 0.0]), generators: vec![Vector::exactly([half, 0.0, 0.0])] };
     let truth = sum.holds(&Vector::exactly([q, 0.0, 0.0]));
     let rounded = q - p <= half;

@@ -43,7 +43,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let answer = |corners: &[[f64; 3]]| {
         let problem = FixedDirections::new(corners, &directions, &[1.0, 1.0]).map_err(|error| error.to_string())?;
         let truth = min_length_in_rationals(&problem).map(|optimum| optimum.value);
-        Ok::<_, String>((min_length_along(&problem).map_err(|error| error.to_string())?, truth))
+        Ok::<_, String>((min_length_along(&problem, &mut ()).map_err(|error| error.to_string())?, truth))
     };
     let mut lifted = corners.clone();
     lifted[2][2] = f64::from_bits(1);

@@ -51,7 +51,7 @@ fn check(context: &CheckContext) -> Verdict {
                 (false, true) => "boundary",
                 (false, false) => "outside",
             };
-            let answer = by_lad::locate(&question);
+            let answer = by_lad::locate(&question, &mut ());
             if answer.status().name() != status {
                 return Verdict::Inconclusive(format!(
                     "{}: {exact} is {status}, not {}",

@@ -96,8 +96,8 @@ fn overhead<const D: usize>(random: &mut Pcg64Mcg) -> Result<f64, String> {
 /// The proven ratio along the smaller net, and how many directions both have.
 fn with_fewer(seed: u64) -> Result<(f64, [usize; 2]), String> {
     let (points, epsilon) = (clouds::on_sphere::<3>(8, seed), 0.25);
-    let answer =
-        by_direction_net::min_length_by_net(&points, epsilon, Net::Cells).map_err(|error| error.to_string())?;
+    let answer = by_direction_net::min_length_by_net(&points, epsilon, Net::Cells, &mut ())
+        .map_err(|error| error.to_string())?;
     check_shortest(&points, &answer)?;
     let sizes = [answer.effort.rows, Net::Paper.size(3, epsilon)];
     if answer.ratio() <= 1.0 + epsilon && sizes[0] < sizes[1] {

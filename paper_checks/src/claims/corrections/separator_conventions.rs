@@ -28,7 +28,7 @@ pub static CLAIM: Claim = Claim {
 fn check(context: &CheckContext) -> Verdict {
     let chain = |rows: &[[f64; 3]], k: u64| -> Result<Vec<Point>, String> {
         let dual = DualArrangement::new(rows).map_err(|error| error.to_string())?;
-        let found = separator(&dual, k, context.seed).map_err(|error| error.to_string())?;
+        let found = separator(&dual, k, context.seed, &mut ()).map_err(|error| error.to_string())?;
         Ok(found.rational_points().into_iter().map(|[x, y]| Point::new(x, y)).collect())
     };
     let square = [[1.0, 1.0, 0.0], [-1.0, 1.0, 1.0]];

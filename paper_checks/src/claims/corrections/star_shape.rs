@@ -30,8 +30,8 @@ fn check(_context: &CheckContext) -> Verdict {
     let gauge = |generators: &[[f64; 3]], point: [f64; 3]| {
         let body = Zonotope::new([0.0; 3], generators.to_vec()).expect("the coordinates are finite");
         let space = (generators.len() * generators.len()) as u64;
-        let prepared = PreparedByCutting::new(body, space, 0).expect("the space is the square of the number");
-        prepared.facet(point).expect("the point is finite").value().0
+        let prepared = PreparedByCutting::new(body, space, 0, &mut ()).expect("the space is the square of the number");
+        prepared.facet(point, &mut ()).expect("the point is finite").value().0
     };
     let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     // the point (4, 1, 2) lies beside Q; its ray leaves by the side x = 1, at a quarter of it

@@ -40,7 +40,7 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive("the generators have no dual lines".to_owned());
     };
     let lines = dual.lines();
-    let cut = cutting(lines, NonZeroU32::new(2).expect("two is not zero"), context.seed);
+    let cut = cutting(lines, NonZeroU32::new(2).expect("two is not zero"), context.seed, &mut ());
     let all: Vec<LineIndex> = (0..upward.len() as u32).map(LineIndex).collect();
     for &first in &all {
         for &second in &all {

@@ -46,7 +46,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let [own, other] = [generators, sum].map(|generators| Body { center: origin.clone(), generators });
     let lost = Vector::at([20, 0, 0]);
     let body = Zonotope::new([0.0; 3], rows.to_vec()).expect("the coordinates are finite");
-    let enclosing = patches_within(&body, 0.5).expect("the precision is between 0 and 1");
+    let enclosing = patches_within(&body, 0.5, &mut ()).expect("the precision is between 0 and 1");
     let is_contained = contains(&enclosing.body, &body) == Some(true);
     if !own.holds(&lost) || other.holds(&lost) || !is_contained {
         return Verdict::Holds("the counterexample is none".to_owned());

@@ -45,7 +45,7 @@ fn check(_context: &CheckContext) -> Verdict {
 /// vertex and least, over unit vectors, at a facet normal.
 fn distance_from_ball(count: usize) -> Result<f64, String> {
     let body = Zonotope::new([0.0; 3], spread_over_hemisphere(count)).map_err(|error| error.to_string())?;
-    let lattice = match faces(&body).map_err(|error| error.to_string())? {
+    let lattice = match faces(&body, &mut ()).map_err(|error| error.to_string())? {
         Faces::Solid(lattice) => lattice,
         _ => return Err(format!("{count} directions do not span space")),
     };

@@ -55,17 +55,17 @@ fn distance_evidence(context: &CheckContext) -> Result<String, String> {
         let zonotope = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
         let n = instance.generators.len() as u64;
         let tree = DirectionTree::new(&zonotope);
-        let prepared = |space| PreparedByCutting::new(zonotope.clone(), space, context.seed);
+        let prepared = |space| PreparedByCutting::new(zonotope.clone(), space, context.seed, &mut ());
         let prepared: Vec<PreparedByCutting> =
             [n, n * n].into_iter().map(prepared).collect::<Result<_, _>>().map_err(|error| error.to_string())?;
         for _ in 0..20 {
             let [p, q] = [(); 2].map(|()| random_vector(&mut random, 50));
             let displacement = [0, 1, 2].map(|k| q[k] - p[k]);
             let truth = gauge(&body, &Vector::at(displacement)).ok_or("a body without facets")?;
-            let of_tree = tree.gauge(doubles(displacement)).map_err(|error| error.to_string())?;
+            let of_tree = tree.gauge(doubles(displacement), &mut ()).map_err(|error| error.to_string())?;
             let mut values = vec![(of_tree.value, of_tree.error)];
             for prepared in &prepared {
-                values.push(prepared.facet(doubles(displacement)).map_err(|error| error.to_string())?.value());
+                values.push(prepared.facet(doubles(displacement), &mut ()).map_err(|error| error.to_string())?.value());
             }
             for (value, error) in values {
                 let [low, high] = [-1, 1].map(|sign| exactly(value) + exactly(error) * RBig::from(sign));
@@ -96,8 +96,7 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
                 let rows = (0..n).map(|_| std::array::from_fn(|_| random.random_range(-1.0..=1.0))).collect();
                 let body = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
                 let mut counts = OperationCounts::default();
-                PreparedByCutting::new_counted(body, space, context.seed, &mut counts)
-                    .map_err(|error| error.to_string())?;
+                PreparedByCutting::new(body, space, context.seed, &mut counts).map_err(|error| error.to_string())?;
                 let (n, operations) = growth::sample(n as usize, &counts);
                 samples.push((n, operations / (space as f64 * libm::log2(n))));
             }

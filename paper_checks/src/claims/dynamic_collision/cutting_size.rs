@@ -42,7 +42,7 @@ fn check(context: &CheckContext) -> Verdict {
         };
         let mut most = 0.0f64;
         for r in [4u32, 8, 16, 32].map(|r| NonZeroU32::MIN.saturating_add(r - 1)) {
-            let cut = cutting(dual.lines(), r, context.seed);
+            let cut = cutting(dual.lines(), r, context.seed, &mut ());
             let count = cut.trapezoids().len();
             let crossed = (0..count as u32).map(|index| cut.crossing_lines(TrapezoidIndex(index)).len()).max();
             if crossed.is_none_or(|lines| lines > dual.lines().len().div_ceil(r.get() as usize)) {

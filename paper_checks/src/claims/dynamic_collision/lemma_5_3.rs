@@ -50,7 +50,7 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
     for instance in &instances {
         let (body, zonotope) = (instance.body(), instance.in_doubles());
         let n = body.generators.len() as u64;
-        let prepared = |space| PreparedByCutting::new(zonotope.clone(), space, context.seed);
+        let prepared = |space| PreparedByCutting::new(zonotope.clone(), space, context.seed, &mut ());
         let prepared: Vec<PreparedByCutting> = [n, n * n.isqrt(), n * n]
             .into_iter()
             .map(prepared)
@@ -113,10 +113,10 @@ fn cost_of_queries(n: usize, space: u64, seed: u64, random: &mut Pcg64Mcg) -> Re
     let rows = (0..n).map(|_| vector()).collect();
     let body = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
     let points: Vec<[f64; 3]> = (0..QUERIES).map(|_| body.support(vector()).point().map(|c| 0.9 * c)).collect();
-    let prepared = PreparedByCutting::new(body, space, seed).map_err(|error| error.to_string())?;
+    let prepared = PreparedByCutting::new(body, space, seed, &mut ()).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
     for point in points {
-        prepared.facet_counted(point, &mut counts).map_err(|error| error.to_string())?;
+        prepared.facet(point, &mut counts).map_err(|error| error.to_string())?;
     }
     let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
     Ok((total as f64 / QUERIES as f64, prepared.bytes() as f64))

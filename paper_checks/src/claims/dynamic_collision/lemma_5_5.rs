@@ -45,7 +45,7 @@ fn distance_evidence(context: &CheckContext) -> Result<String, String> {
         let diameter = 2.0 * excess(&body, &point, 0.01).lower;
         for inverse in INVERSE_PRECISIONS {
             let epsilon = 1.0 / f64::from(inverse);
-            let reduced = patches_within(&body, epsilon).map_err(|error| error.to_string())?.body;
+            let reduced = patches_within(&body, epsilon, &mut ()).map_err(|error| error.to_string())?.body;
             let error = excess(&reduced, &body, 0.01).upper / diameter;
             let generators = reduced.generators().len();
             if contains(&reduced, &body) != Some(true) || error > epsilon {

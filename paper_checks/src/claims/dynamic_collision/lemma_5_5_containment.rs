@@ -36,7 +36,7 @@ fn check(context: &CheckContext) -> Verdict {
         let instance =
             BodyInstance { name: format!("the body of reach {reach}"), center: [reach, 0, -1], generators: rows };
         let body = instance.in_doubles();
-        let Ok(found) = patches_within(&body, EPSILON) else {
+        let Ok(found) = patches_within(&body, EPSILON, &mut ()) else {
             return Verdict::Inconclusive(format!("{} is refused", instance.name));
         };
         let generators = found.body.generators();

@@ -79,9 +79,9 @@ fn try_one<const D: usize>(random: &mut Pcg64Mcg, index: usize, seen: &mut Seen)
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
     let answers = [
-        library_program::min_length_by_papers_program(&problem, &Clarabel),
-        support_form::min_length_by_support_form(&problem, &Clarabel),
-        by_row_generation::min_length_along(&problem),
+        library_program::min_length_by_papers_program(&problem, &Clarabel, &mut ()),
+        support_form::min_length_by_support_form(&problem, &Clarabel, &mut ()),
+        by_row_generation::min_length_along(&problem, &mut ()),
     ];
     for answer in answers {
         let Enclosure::Optimal(answer) = answer.map_err(|error| error.to_string())? else {

@@ -53,7 +53,7 @@ fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Res
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
     let name = || format!("{points:?} along {directions:?}");
     let Enclosure::Optimal(answer) =
-        by_row_generation::min_length_along(&problem).map_err(|error| error.to_string())?
+        by_row_generation::min_length_along(&problem, &mut ()).map_err(|error| error.to_string())?
     else {
         return Err(format!("{} is called infeasible", name()));
     };
@@ -75,9 +75,9 @@ fn growth(context: &CheckContext) -> Result<String, String> {
         let weights = vec![1.0; k];
         let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
         let answers = [
-            papers_program::min_length_by_papers_program(&problem, &Clarabel),
-            support_form::min_length_by_support_form(&problem, &Clarabel),
-            by_row_generation::min_length_along(&problem),
+            papers_program::min_length_by_papers_program(&problem, &Clarabel, &mut ()),
+            support_form::min_length_by_support_form(&problem, &Clarabel, &mut ()),
+            by_row_generation::min_length_along(&problem, &mut ()),
         ];
         for (answer, samples) in answers.into_iter().zip([&mut printed, &mut all, &mut needed]) {
             let answer = answer.map_err(|error| error.to_string())?;
@@ -101,7 +101,7 @@ fn growth(context: &CheckContext) -> Result<String, String> {
         let points = clouds::on_sphere::<3>(n, context.seed);
         let directions = clouds::on_sphere::<3>(8, context.seed + 8);
         let problem = FixedDirections::new(&points, &directions, &[1.0; 8]).map_err(|error| error.to_string())?;
-        let answer = by_row_generation::min_length_along(&problem).map_err(|error| error.to_string())?;
+        let answer = by_row_generation::min_length_along(&problem, &mut ()).map_err(|error| error.to_string())?;
         Ok(answer.optimal().map_or(0, |zonotope| zonotope.effort.passes))
     };
     let (few, many) = (passes(500)?, passes(8000)?);

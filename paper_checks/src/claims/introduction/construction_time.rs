@@ -71,7 +71,7 @@ fn walk(random: &mut Pcg64Mcg, reach: i64) -> Result<Walk, String> {
         let next = random_vector(random, reach);
         let rows = generators.iter().copied().map(doubles).collect();
         let body = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
-        let Faces::Solid(lattice) = faces(&body).map_err(|error| error.to_string())? else {
+        let Faces::Solid(lattice) = faces(&body, &mut ()).map_err(|error| error.to_string())? else {
             return Err("a body with the three axes is flat".to_owned());
         };
         let met = edges_of_crossed_cells(&lattice, next);
@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn a_circle_crosses_six_octants() {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let Ok(Faces::Solid(cube)) = faces(&Zonotope::new([0.0; 3], axes.to_vec()).expect("finite")) else {
+        let Ok(Faces::Solid(cube)) = faces(&Zonotope::new([0.0; 3], axes.to_vec()).expect("finite"), &mut ()) else {
             panic!("a cube is solid");
         };
         assert_eq!(edges_of_crossed_cells(&cube, [1, 2, 3]), 18);

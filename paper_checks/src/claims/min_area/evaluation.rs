@@ -2,7 +2,7 @@
 
 use experiments::fit::GrowthModel;
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
-use zonotope::hull::antipodal::{farthest_vertices, farthest_vertices_counted};
+use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;
 use zonotope::tally::OperationCounts;
 
@@ -45,9 +45,9 @@ fn area_evidence(context: &CheckContext) -> Result<String, String> {
     for instance in polygons(&mut random, 40) {
         for _ in 0..3 {
             let center = double(&random_center(&mut random, &instance.polygon));
-            let hull = convex_hull(&doubles(&instance.polygon)).map_err(|error| error.to_string())?;
-            let farthest = farthest_vertices(&hull);
-            let area = CenteredZonogon::new(&hull, &farthest, center).exact_area().to_rational();
+            let hull = convex_hull(&doubles(&instance.polygon), &mut ()).map_err(|error| error.to_string())?;
+            let farthest = farthest_vertices(&hull, &mut ());
+            let area = CenteredZonogon::new(&hull, &farthest, center, &mut ()).exact_area().to_rational();
             let expected = zonogon_area(&instance.polygon, &Point::exactly(center));
             if area != expected {
                 return Err(format!("{}: f({center:?}) is {expected}, not {area}", instance.name));
@@ -63,10 +63,11 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
     let mut samples = Vec::new();
     for n in SIZES {
         for instance in 0..2 {
-            let hull = convex_hull(&circle.generate(n, context.seed + instance)).map_err(|error| error.to_string())?;
+            let hull = convex_hull(&circle.generate(n, context.seed + instance), &mut ())
+                .map_err(|error| error.to_string())?;
             let mut counts = OperationCounts::default();
-            let farthest = farthest_vertices_counted(&hull, &mut counts);
-            CenteredZonogon::new_counted(&hull, &farthest, hull.vertices()[0], &mut counts);
+            let farthest = farthest_vertices(&hull, &mut counts);
+            CenteredZonogon::new(&hull, &farthest, hull.vertices()[0], &mut counts);
             samples.push(growth::sample(hull.edge_count(), &counts));
         }
     }

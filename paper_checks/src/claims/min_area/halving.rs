@@ -44,8 +44,8 @@ fn check(context: &CheckContext) -> Verdict {
     for exponent in [5, 7, 9] {
         let n: usize = 1 << exponent;
         let points = random_convex::RANDOM_CONVEX.generate(n, context.seed);
-        let hull = convex_hull(&points).expect("the family's points are finite");
-        let farthest = farthest_vertices(&hull);
+        let hull = convex_hull(&points, &mut ()).expect("the family's points are finite");
+        let farthest = farthest_vertices(&hull, &mut ());
         let (_, steps) = trace(&Bisectors::new(&hull, &farthest).kernel_problem(), context.seed);
         let halvings = (n * (n - 1) / 2).ilog2() as usize + 1;
         if steps.len() > halvings || !steps.iter().all(halves) {

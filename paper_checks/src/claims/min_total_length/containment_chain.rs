@@ -114,7 +114,7 @@ fn best_is_no_longer<const D: usize>(generators: &[Row], near: &[(Row, RBig)], l
     let directions: Vec<[f64; D]> = near.iter().map(|(v, _)| rounded(v)).chain(axes).collect();
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(&vertices, &directions, &weights).map_err(|error| error.to_string())?;
-    let answer = min_length_along(&problem).map_err(|error| error.to_string())?;
+    let answer = min_length_along(&problem, &mut ()).map_err(|error| error.to_string())?;
     let value = answer.optimal().ok_or("the axes span")?.value;
     let slack = RBig::ONE + fraction(1, 1_000_000_000);
     if exactly(value) > length * slack { Err(format!("{near:?}: {value} is above {length}")) } else { Ok(()) }

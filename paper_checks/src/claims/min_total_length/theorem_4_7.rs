@@ -70,7 +70,7 @@ fn keeps<const D: usize>(
     let points = clouds::on_sphere::<D>(count, seed);
     for &epsilon in precisions {
         let answer = match net {
-            Some(net) => by_direction_net::min_length_by_net(&points, epsilon, net),
+            Some(net) => by_direction_net::min_length_by_net(&points, epsilon, net, &mut ()),
             None => min_length(&points, epsilon),
         };
         let answer = answer.map_err(|error| error.to_string())?;

@@ -40,7 +40,7 @@ fn check(context: &CheckContext) -> Verdict {
         let truth = position(&generators, target);
         let rows: Vec<[f64; 4]> = generators.iter().map(|g| g.map(|c| c as f64)).collect();
         let question = Query::new([0.0; 4], target.map(|c| c as f64), &rows).expect("integers are finite");
-        let status = by_lad_in_r4::locate(&question).status().name();
+        let status = by_lad_in_r4::locate(&question, &mut ()).status().name();
         if status != ["inside", "boundary", "outside"][truth] {
             return Verdict::Inconclusive(format!("{generators:?} and {target:?}: {status}, case {truth}"));
         }

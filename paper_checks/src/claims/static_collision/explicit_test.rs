@@ -51,7 +51,7 @@ fn operations(n: usize, seed: u64) -> Result<String, String> {
     let point = body.support([1.0, 2.0, 3.0]).point().map(|c| 0.9 * c);
     let question = Query::of_point(point, &body).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
-    by_explicit_faces::locate_counted(&question, &mut counts).map_err(|error| error.to_string())?;
+    by_explicit_faces::locate(&question, &mut counts).map_err(|error| error.to_string())?;
     let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
     let pairs = (n * (n - 1) / 2) as u64;
     let sentence = format!("{total} for {pairs} pairs of facets of n = {n}");

@@ -36,7 +36,7 @@ fn check(context: &CheckContext) -> Verdict {
             }
             let (a, b) = (first.body(), second.body());
             let zonotopes = [first.in_doubles(), second.in_doubles()];
-            let answer = by_lad::locate(&Query::between(&zonotopes[0], &zonotopes[1]));
+            let answer = by_lad::locate(&Query::between(&zonotopes[0], &zonotopes[1]), &mut ());
             let all: Vec<Vector> = a.generators.iter().chain(&b.generators).cloned().collect();
             let target = a.center.to(&b.center);
             let sum = Body { center: Vector::at([0; 3]), generators: all };

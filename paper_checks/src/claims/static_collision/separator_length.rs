@@ -35,7 +35,7 @@ fn check(context: &CheckContext) -> Verdict {
         };
         let projections: Vec<Point> = body.generators.iter().map(project).collect();
         for k in 0..=facets.len() as u64 {
-            let Ok(chain) = separator(&dual, k, context.seed) else {
+            let Ok(chain) = separator(&dual, k, context.seed, &mut ()) else {
                 return Verdict::Inconclusive(format!("{} has no separator {k}", instance.name));
             };
             let points: Vec<Point> = chain.rational_points().into_iter().map(|[x, y]| Point::new(x, y)).collect();

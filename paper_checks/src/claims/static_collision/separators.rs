@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use experiments::fit::GrowthModel;
 use zonotope::arrangement::DualArrangement;
-use zonotope::arrangement::separator::{separator, separator_counted};
+use zonotope::arrangement::separator::separator;
 use zonotope::tally::OperationCounts;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
@@ -65,7 +65,8 @@ fn side_evidence(context: &CheckContext) -> Result<String, String> {
                 }
                 tiles += 1;
             }
-            let found = separator(&dual, k as u64, context.seed).map_err(|error| format!("{}: {error}", name()))?;
+            let found =
+                separator(&dual, k as u64, context.seed, &mut ()).map_err(|error| format!("{}: {error}", name()))?;
             let points: Vec<Point> = found.rational_points().into_iter().map(|[x, y]| Point::new(x, y)).collect();
             if points != chain {
                 return Err(format!("{}: the library's chain is another one", name()));
@@ -129,7 +130,7 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
         for part in 1..4 {
             let k = dual.lines().vertex_count() / 4 * part;
             let mut counts = OperationCounts::default();
-            separator_counted(&dual, k, context.seed, &mut counts).map_err(|error| error.to_string())?;
+            separator(&dual, k, context.seed, &mut counts).map_err(|error| error.to_string())?;
             samples.push(growth::sample(n, &counts));
         }
     }

@@ -46,7 +46,9 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
         for trial in 0..9 {
             let LocatedPoint { point, target, place: truth } = located_point(&mut random, &body, trial);
             let question = Query::of_point(point, &zonotope).map_err(|error| error.to_string())?;
-            for answer in [by_slope_selection::locate(&question, context.seed), by_lad::locate(&question)] {
+            for answer in
+                [by_slope_selection::locate(&question, context.seed, &mut ()), by_lad::locate(&question, &mut ())]
+            {
                 if answer.status().name() != PLACES[truth] {
                     return Err(format!("{}: {target} is {}", instance.name, answer.status()));
                 }
@@ -79,7 +81,7 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
             let point = vertex.map(|c| 0.9 * c);
             let question = Query::of_point(point, &body).map_err(|error| error.to_string())?;
             let mut counts = OperationCounts::default();
-            by_slope_selection::locate_counted(&question, context.seed, &mut counts);
+            by_slope_selection::locate(&question, context.seed, &mut counts);
             samples.push(growth::sample(n, &counts));
         }
     }

@@ -63,8 +63,8 @@ fn evidence(context: &CheckContext) -> Result<String, String> {
             let step = reach * GENERATORS as i64 / 20;
             let place = [0, 1, 2].map(|k| frame * step * heading[k] / 6 + beside);
             let pose = Pose::from_translation(doubles(place)).map_err(|error| error.to_string())?;
-            let descent = first.at(&Pose::IDENTITY).intersection(&second.at(&pose));
-            let tracked = warm.frame(&Pose::IDENTITY, &pose);
+            let descent = first.at(&Pose::IDENTITY).intersection(&second.at(&pose), &mut ());
+            let tracked = warm.frame(&Pose::IDENTITY, &pose, &mut ());
             let walked = walking.frame([0.0; 3], doubles(place)).map_err(|error| error.to_string())?;
             if descent.status() != tracked.status() || descent.status() != walked.status() {
                 return Err(format!("coordinates to {reach}: {place:?}"));

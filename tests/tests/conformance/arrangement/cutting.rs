@@ -7,7 +7,7 @@ use families::drawn::lines::Instance;
 use families::lines::LINE_FAMILIES;
 use proptest::prelude::*;
 use tests::runner::cases;
-use zonotope::arrangement::cutting::{Boundary, Cutting, TrapezoidIndex, Wall, brute_force, cutting, cutting_counted};
+use zonotope::arrangement::cutting::{Boundary, Cutting, TrapezoidIndex, Wall, brute_force, cutting};
 use zonotope::arrangement::{LineArrangement, LineIndex};
 use zonotope::tally::{Operation, OperationCounts};
 
@@ -25,7 +25,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
     let lines = LineArrangement::from_rows(&rows).expect("the families are finite");
     let count = rows.iter().filter(|[a, b, _]| *a != 0.0 || *b != 0.0).count();
     for r in [2, 5, 20] {
-        let cutting = cutting(&lines, parameter(r), 1);
+        let cutting = cutting(&lines, parameter(r), 1, &mut ());
         let list = |index| cutting.crossing_lines(index);
         prop_assert_eq!(brute_force::check(&lines, count / r as usize, cutting.trapezoids(), list), Ok(()));
         for point in [[0.0, 0.0], [1.0, -1.0], [0.3, 2.5], [-1e9, 1e-9]] {
@@ -74,7 +74,7 @@ fn cuttings_are_small() {
                 let rows: Vec<[f64; 3]> = terms.into_iter().map(|(a, b)| [a[0], a[1], b]).collect();
                 let lines = LineArrangement::from_rows(&rows).expect("the family makes finite lines");
                 let mut counts = OperationCounts::default();
-                let cutting = cutting_counted(&lines, parameter(r), 0, &mut counts);
+                let cutting = cutting(&lines, parameter(r), 0, &mut counts);
                 let trapezoids = cutting.trapezoids().len();
                 let lists = (0..trapezoids as u32).map(|index| cutting.crossing_lines(TrapezoidIndex(index)).len());
                 let heaviest = lists.max().expect("there is a trapezoid");

@@ -1,5 +1,5 @@
-//! Dynamic hulls beside the twin on all point families: a long run makes more than 10^6 updates of each method on small
-//! sets. On large sets the methods are held to each other, and to the static hull at the end.
+//! Dynamic hulls beside the twin on all point families: a long run makes more than 10^6 updates on small sets. Large
+//! sets are held to static hulls.
 
 use std::sync::Arc;
 
@@ -7,8 +7,9 @@ use families::drawn::points::{Point, Points};
 use families::points::FAMILIES;
 use proptest::collection::vec;
 use proptest::prelude::*;
+use zonotope::arrangement::dynamic_hull::brute_force::BruteForce;
 use zonotope::arrangement::dynamic_hull::{
-    Direction, HullChain, Method, PlanarPoint, Side, SiteIndex, SortedSites, Towards,
+    Direction, DynamicChain, HullChain, PlanarPoint, Side, SiteIndex, SortedSites, Towards,
 };
 use zonotope::hull;
 
@@ -20,8 +21,6 @@ const LARGE: usize = 1500;
 /// Points, and the sites to be inserted or deleted by turns, with a direction each.
 type Instance = (Vec<Point>, Vec<(prop::sample::Index, Point)>);
 
-type Chain = Box<dyn HullChain<PlanarPoint>>;
-
 /// Two sets of a family, so that there are points enough, and some of them far from the others.
 fn updates(points: Points) -> impl Strategy<Value = Instance> {
     let slanted = || (-1.0..1.0f64, 0.0..1.0f64).prop_map(|(x, y)| [x, y]);
@@ -30,41 +29,42 @@ fn updates(points: Points) -> impl Strategy<Value = Instance> {
     (sites, vec((any::<prop::sample::Index>(), direction()), UPDATES))
 }
 
-/// The chains on one side of every method, with every other point present.
-fn chains(points: &[Point], side: Side) -> (Vec<PlanarPoint>, Vec<(Method, Chain)>) {
+/// The points as sites, and the same sorted.
+fn sites(points: &[Point]) -> (Vec<PlanarPoint>, Arc<SortedSites<PlanarPoint>>) {
     let sites = PlanarPoint::list(points).expect("the families are finite");
     let sorted = Arc::new(SortedSites::new(&sites).expect("the families are small"));
-    let present = || (0..points.len() as u32).step_by(2).map(SiteIndex);
-    let chain = |method: Method| method.chain(sorted.clone(), side, present()).expect("no index is repeated");
-    (sites, Method::ALL.map(|method| (method, chain(method))).into())
+    (sites, sorted)
+}
+
+/// Every other site, which is present at first.
+fn start(points: &[Point]) -> impl Iterator<Item = SiteIndex> + use<> {
+    (0..points.len() as u32).step_by(2).map(SiteIndex)
 }
 
 /// Inserts a site that is absent, deletes one that is present.
-fn toggle(chain: &mut Chain, site: SiteIndex) {
+fn toggle(chain: &mut impl HullChain<PlanarPoint>, site: SiteIndex) {
     let outcome = if chain.contains(site) { chain.delete(site) } else { chain.insert(site) };
     outcome.expect("the site is absent when it is inserted and present when it is deleted");
 }
 
 fn agrees((points, updates): Instance) -> Result<(), TestCaseError> {
+    let (sites, sorted) = sites(&points);
     for side in [Side::Lower, Side::Upper] {
-        let (sites, chains) = chains(&points, side);
-        let (mut truth, mut others): (Vec<_>, Vec<_>) =
-            chains.into_iter().partition(|(method, _)| *method == Method::BruteForce);
-        let truth = &mut truth[0].1;
+        let mut chain = DynamicChain::new(sorted.clone(), side, start(&points)).expect("no index is repeated");
+        let mut truth = BruteForce::new(sorted.clone(), side, start(&points)).expect("no index is repeated");
         for (number, (index, vector)) in updates.iter().enumerate() {
             let site = SiteIndex(index.index(sites.len()) as u32);
             let from = &sites[(number + site.position()) % sites.len()];
             let towards = if number % 2 == 0 { Towards::Left } else { Towards::Right };
             let direction = Direction::new(*vector).ok();
-            let queries = |chain: &Chain| {
-                let vertices = number.is_multiple_of(6).then(|| chain.vertices());
-                (chain.tangent(from, towards), direction.map(|direction| chain.extreme(direction)), vertices)
-            };
-            toggle(truth, site);
-            let expected = queries(truth);
-            for (method, chain) in &mut others {
-                toggle(chain, site);
-                prop_assert_eq!(&queries(chain), &expected, "{:?}, {:?}, update {}", method, side, number);
+            toggle(&mut chain, site);
+            toggle(&mut truth, site);
+            prop_assert_eq!(chain.tangent(from, towards), truth.tangent(from, towards), "{:?}, {}", side, number);
+            if let Some(direction) = direction {
+                prop_assert_eq!(chain.extreme(direction), truth.extreme(direction), "{:?}, {}", side, number);
+            }
+            if number.is_multiple_of(6) {
+                prop_assert_eq!(chain.vertices(), truth.vertices(), "{:?}, {}", side, number);
             }
         }
     }
@@ -73,35 +73,29 @@ fn agrees((points, updates): Instance) -> Result<(), TestCaseError> {
 
 tests::test_on_point_families!(updates, CASES, agrees);
 
+/// Both chains together have the vertices of the hull.
 #[test]
-fn methods_agree_on_large_sets() {
+fn chains_of_large_sets_are_those_of_static_hulls() {
     for family in FAMILIES {
         let points = family.generate(LARGE, 3);
-        for side in [Side::Lower, Side::Upper] {
-            let (sites, mut chains) = chains(&points, side);
-            chains.retain(|(method, _)| *method != Method::BruteForce);
-            for number in 0..2 * LARGE {
-                let site = SiteIndex((number * 7919 % LARGE) as u32);
-                let from = &sites[number * 104_729 % LARGE];
-                let direction = Direction::new([(number % 23) as f64 - 11.0, 5.0]).expect("a direction upward");
-                let queries = |chain: &Chain| {
-                    let tangents = [Towards::Left, Towards::Right].map(|towards| chain.tangent(from, towards));
-                    (tangents, chain.extreme(direction))
-                };
-                chains.iter_mut().for_each(|(_, chain)| toggle(chain, site));
-                let [first, rest @ ..] = &chains[..] else { unreachable!("there is a method") };
-                for (method, chain) in rest {
-                    assert_eq!(queries(chain), queries(&first.1), "{}: {method:?}, update {number}", family.id);
+        let (_, sorted) = sites(&points);
+        let chain = |side| DynamicChain::new(sorted.clone(), side, start(&points)).expect("no index is repeated");
+        let mut chains = [Side::Lower, Side::Upper].map(chain);
+        for number in 0..2 * LARGE {
+            let site = SiteIndex((number * 7919 % LARGE) as u32);
+            chains.iter_mut().for_each(|chain| toggle(chain, site));
+            if number % 150 == 149 {
+                let present = points.iter().enumerate().filter(|(k, _)| chains[0].contains(SiteIndex(*k as u32)));
+                let present: Vec<Point> = present.map(|(_, point)| *point).collect();
+                let hull = hull::convex_hull(&present, &mut ()).expect("the points are finite and not none");
+                let at = |site: SiteIndex| points[site.position()].map(|c| c + 0.0);
+                let mut of_chains: Vec<_> = chains.iter().flat_map(|chain| chain.vertices()).map(at).collect();
+                let mut of_hull: Vec<_> = hull.vertices().iter().map(|vertex| vertex.map(|c| c + 0.0)).collect();
+                for vertices in [&mut of_chains, &mut of_hull] {
+                    vertices.sort_by(|a, b| a.partial_cmp(b).expect("the points are finite"));
+                    vertices.dedup();
                 }
-            }
-            let present: Vec<usize> = (0..LARGE).filter(|&k| chains[0].1.contains(SiteIndex(k as u32))).collect();
-            let left: Vec<Point> = present.iter().map(|&k| points[k]).collect();
-            let hull = hull::convex_hull(&left).expect("the points that are left are finite and not none");
-            for (method, chain) in &chains {
-                let vertices = chain.vertices();
-                let on_hull = |site: &SiteIndex| hull.vertices().contains(&points[site.position()]);
-                assert!(vertices.iter().all(on_hull), "{}: {method:?}", family.id);
-                assert_eq!(vertices, chains[0].1.vertices(), "{}: {method:?}", family.id);
+                assert_eq!(of_chains, of_hull, "{}: update {number}", family.id);
             }
         }
     }

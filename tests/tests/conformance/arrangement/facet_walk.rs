@@ -114,7 +114,7 @@ fn neighbours_are_those_of_the_face_lattice() {
         for count in [9, 24, 64] {
             let generators = family.generate(count, 2);
             let body = Zonotope::new([0.0; 3], generators.clone()).expect("families are finite");
-            let lattice = match faces(&body).expect("few directions") {
+            let lattice = match faces(&body, &mut ()).expect("few directions") {
                 Faces::Solid(lattice) => lattice,
                 _ => {
                     assert!(matches!(HullWalk::new(&generators), Err(WalkError::Flat { .. })), "{}", family.id);

@@ -30,7 +30,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
         let truth = brute_force::kth_leftmost_vertex(&arrangement, rank).map(|vertex| vertex.exact_x());
         prop_assert_eq!(truth.as_ref().ok(), Some(x), "brute_force, rank {}", rank);
         for seed in [1, 2] {
-            let found = randomized::kth_leftmost_vertex(&arrangement, rank, seed);
+            let found = randomized::kth_leftmost_vertex(&arrangement, rank, seed, &mut ());
             prop_assert!(found.is_ok(), "rank {}: {:?}", rank, found);
             let found = found.expect("that was just asserted");
             prop_assert_eq!(&found.exact_x(), x, "rank {}", rank);
@@ -41,7 +41,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
         }
     }
     for rank in [0, expected.len() as u64 + 1] {
-        prop_assert!(randomized::kth_leftmost_vertex(&arrangement, rank, 1).is_err());
+        prop_assert!(randomized::kth_leftmost_vertex(&arrangement, rank, 1, &mut ()).is_err());
         prop_assert!(brute_force::kth_leftmost_vertex(&arrangement, rank).is_err());
     }
     Ok(())
@@ -54,7 +54,8 @@ fn some_ranks_agree(instance: Instance) -> Result<(), TestCaseError> {
     for twelfth in 0..=12 {
         let Some(last) = expected.len().checked_sub(1) else { break };
         let index = last * twelfth / 12;
-        let found = randomized::kth_leftmost_vertex(&arrangement, index as u64 + 1, 3).map(|vertex| vertex.exact_x());
+        let found =
+            randomized::kth_leftmost_vertex(&arrangement, index as u64 + 1, 3, &mut ()).map(|vertex| vertex.exact_x());
         prop_assert_eq!(found.as_ref().ok(), Some(&expected[index]), "rank {}", index + 1);
     }
     Ok(())

@@ -26,7 +26,7 @@ fn spaces(n: usize) -> [u64; 3] {
 /// The answer about a point is the truth, and its proof holds.
 fn agrees(prepared: &PreparedByCutting, point: [f64; 3], truth: &Gauge<3>) -> Result<(), TestCaseError> {
     let query = Query::of_point(point, prepared.body()).expect("the families make finite numbers");
-    let facet = prepared.facet(point).expect("the families make finite numbers");
+    let facet = prepared.facet(point, &mut ()).expect("the families make finite numbers");
     prop_assert_eq!(facet.status(), truth.location.status(), "{:?}", facet);
     let (value, error) = facet.value();
     let is_near = value == truth.value || (value - truth.value).abs() <= error + truth.error;
@@ -45,7 +45,7 @@ fn small_bodies_answer_as_the_truth_does() {
             let Asked { from, to, generators } = asked;
             let body = Zonotope::new(from, generators).expect("the families make finite numbers");
             for space in spaces(body.generators().len()) {
-                let prepared = PreparedByCutting::new(body.clone(), space, 1).expect("between n and n²");
+                let prepared = PreparedByCutting::new(body.clone(), space, 1, &mut ()).expect("between n and n²");
                 agrees(&prepared, to, &truth)
                     .map_err(|error| TestCaseError::fail(format!("{family}, m = {space}: {error}")))?;
             }
@@ -63,7 +63,7 @@ fn points(body: &Zonotope<3>) -> Vec<[f64; 3]> {
         let center = body.center();
         let vertex = body.support(u).point();
         let at = |factor: f64| [0, 1, 2].map(|k| center[k] + factor * u[k]);
-        let gauge = by_lad::gauge(&Query::of_point(at(1.0), body).expect("the directions are finite")).value;
+        let gauge = by_lad::gauge(&Query::of_point(at(1.0), body).expect("the directions are finite"), &mut ()).value;
         let on_ray = if gauge.is_finite() && gauge > 0.0 { 1.0 / gauge } else { 1.0 };
         points.extend([vertex, at(0.5 * on_ray), at(on_ray), at(2.0 * on_ray)]);
     }
@@ -78,9 +78,9 @@ fn bodies_of_every_family_answer_as_the_static_kernel_does() {
             let body = Zonotope::new([0.5, -1.0, 0.0], family.generate(n, 3)).expect("the families are finite");
             let points = points(&body);
             for space in spaces(body.generators().len()) {
-                let prepared = PreparedByCutting::new(body.clone(), space, 1).expect("between n and n²");
+                let prepared = PreparedByCutting::new(body.clone(), space, 1, &mut ()).expect("between n and n²");
                 for &point in &points {
-                    let truth = by_lad::gauge(&Query::of_point(point, &body).expect("the points are finite"));
+                    let truth = by_lad::gauge(&Query::of_point(point, &body).expect("the points are finite"), &mut ());
                     let answer = agrees(&prepared, point, &truth);
                     assert!(answer.is_ok(), "{}, n = {n}, m = {space}, {point:?}: {answer:?}", family.id);
                 }

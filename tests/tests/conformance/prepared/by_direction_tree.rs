@@ -29,15 +29,15 @@ fn conforms(family: &BodyFamily<3>, n: usize, seed: u64) {
         }
         let (_, tree) = tree.as_ref().expect("it was just made");
         let query = Query::new(asked.from, asked.to, &asked.generators).expect("finite");
-        let located = tree.locate(asked.to).expect("finite");
+        let located = tree.locate(asked.to, &mut ()).expect("finite");
         assert_eq!(located.status().name(), asked.status, "{name}");
         let written = located.expand();
         assert_eq!(written.status(), located.status(), "{name}");
         assert_eq!(check_location(&query, &written).proof().map(drop), Ok(()), "{name}");
-        let measured = tree.gauge(asked.to).expect("finite");
+        let measured = tree.gauge(asked.to, &mut ()).expect("finite");
         assert_eq!(measured.location.status().name(), asked.status, "{name}");
         assert_eq!(check_location(&query, &measured.location.expand()).proof().map(drop), Ok(()), "{name}");
-        let Gauge { value, error, .. } = by_lad::gauge(&query);
+        let Gauge { value, error, .. } = by_lad::gauge(&query, &mut ());
         let is_same = value == measured.value || (value - measured.value).abs() <= error + measured.error;
         assert!(is_same, "{name}: {} ± {}, not {value} ± {error}", measured.value, measured.error);
         assert!(measured.error <= 1e-9 * measured.value || error == f64::INFINITY, "{name}: {}", measured.error);

@@ -58,7 +58,7 @@ fn what_is_chosen_answers_as_the_truth_does_within_its_budget() {
                     let query = Query::of_point(asked.to, &body).expect("finite");
                     let structure = QueryStructure::new(body.clone(), budget, queries).expect("the body fits");
                     assert!(structure.bytes() <= budget);
-                    let truth = by_lad::gauge(&query);
+                    let truth = by_lad::gauge(&query, &mut ());
                     assert_eq!(truth.location.status().name(), asked.status);
                     let answer = agrees(&structure, &query, &truth);
                     assert!(answer.is_ok(), "{} {n} {seed} {}: {answer:?}", family.id, placement.id);

@@ -98,9 +98,9 @@ fn the_warm_kernel_answers_as_a_fresh_query_does() {
             let [first, second] = bodies.each_ref().map(|body| PreparedBody::new(body.clone()));
             let mut tracker = WarmTracker::new(&first, &second);
             for (i, [from, to]) in motion.iter().enumerate() {
-                let tracked = tracker.frame(from, to);
+                let tracked = tracker.frame(from, to, &mut ());
                 let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
-                assert_eq!(tracked.status(), by_lad::locate(&query).status(), "{name} frame {i}");
+                assert_eq!(tracked.status(), by_lad::locate(&query, &mut ()).status(), "{name} frame {i}");
                 if query.len() <= TWIN_LIMIT && i % 4 == 0 {
                     assert_eq!(tracked.status(), brute_force::status(&query), "{name} frame {i}");
                 }
@@ -124,8 +124,8 @@ fn trees_under_poses_answer_as_a_fresh_query_does() {
             let trees = bodies.each_ref().map(DirectionTree::new);
             for (i, [from, to]) in motion.iter().enumerate().step_by(TREE_SHARE) {
                 let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
-                let located = trees[0].at(from).intersection(&trees[1].at(to));
-                assert_eq!(located.status(), by_lad::locate(&query).status(), "{name} frame {i}");
+                let located = trees[0].at(from).intersection(&trees[1].at(to), &mut ());
+                assert_eq!(located.status(), by_lad::locate(&query, &mut ()).status(), "{name} frame {i}");
                 if i % PROOF_SHARE == 0 {
                     let location = located.expand();
                     assert_eq!(location.status(), located.status(), "{name} frame {i}");
@@ -148,7 +148,7 @@ fn walks_end_at_the_closest_feature() {
                 let (from, to) = (from.translation(), to.translation());
                 let query = Query::new(from, to, &generators).expect("finite");
                 let walked = tracker.frame(from, to).expect("finite");
-                let near = proximity(&query);
+                let near = proximity(&query, &mut ());
                 assert_eq!(walked.status(), near.status(), "{name} frame {i}");
                 assert_eq!(walked.exact_squared_distance(), near.exact_squared_distance(), "{name} frame {i}");
                 if let (Some(own), Some(gap)) = (walked.exact_direction(), near.gap()) {

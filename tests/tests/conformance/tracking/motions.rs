@@ -54,7 +54,7 @@ fn plus(a: [f64; 3], factor: f64, b: [f64; 3]) -> [f64; 3] {
 /// A multiple of a displacement at which bodies under poses touch, nearly; 1 if there is none.
 fn at_contact(bodies: &[Zonotope<3>; 2], [from, to]: &Frame, displacement: [f64; 3]) -> f64 {
     let to = Pose::new(to.matrix(), displacement).expect("finite");
-    let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(from), bodies[1].at(&to))).value;
+    let gauge = by_lad::gauge(&Query::of_placed(bodies[0].at(from), bodies[1].at(&to)), &mut ()).value;
     if gauge.is_normal() && (1.0 / gauge).is_normal() { 1.0 / gauge } else { 1.0 }
 }
 

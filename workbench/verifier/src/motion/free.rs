@@ -64,6 +64,12 @@ impl Pair {
         Ok(())
     }
 
+    /// Whether nothing moves but one body about an axis.
+    fn is_one_turn(&self) -> bool {
+        let [a, b] = &self.paths;
+        (a.only_turns() && b.is_rest()) || (a.is_rest() && b.only_turns())
+    }
+
     /// Whether a part is free by its coefficients; an error where there is no gap at one of its ends.
     fn is_free(
         &self,
@@ -85,7 +91,7 @@ impl Pair {
         let step = 1 + (2 * (bits[0] + bits[1]) / BITS_A_STEP) as u64;
         let cost = (generators + 16) * direction.cost() * step * step;
         *work = work.checked_sub(cost).ok_or_else(|| Stop::Unchecked(TOO_MUCH.to_owned()))?;
-        let gap = gap(self.solids.each_ref(), [a, b], direction);
+        let gap = gap(self.solids.each_ref(), [a, b], direction, self.is_one_turn());
         if !gap.is_open_at_the_ends() {
             return Err(unproved(interval).into());
         }

@@ -11,8 +11,10 @@
 //! | b | R_b u | v · R u | v · u |
 //! | edges | R_a e × R_b f | v · (e × R f) | v · (Rᵀ e × f) |
 //!
-//! The placements of a stretch may be off the motion: no point by more than the angle times its distance from the axis.
-//! Bodies that have a larger gap as they are placed are disjoint, therefore, where the motion puts them.
+//! The placements of a stretch may be off the motion: no point by more than the angle times its distance from the axis,
+//! and across the axis. Along a direction u that keeps its angle to the axis, a point is off by no more than that times
+//! the length of the part of u across the axis. Bodies that have a larger gap as they are placed are disjoint,
+//! therefore, where the motion puts them.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
@@ -120,11 +122,30 @@ impl Seen {
 
 /// The bound from above of how far points of both bodies together are off their places, in units of 2^-128.
 pub(super) fn displacement([first, second]: [&Solid; 2], [a, b]: [&Stretch; 2]) -> IBig {
-    &first.reach * &a.angle_off + &second.reach * &b.angle_off
+    &first.reach * a.angle_off() + &second.reach * b.angle_off()
 }
 
-/// The gap along a direction during a stretch.
-pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction) -> Gap {
+/// The bound from above of how much less the gap along a direction may be where the motion puts the bodies, in units of
+/// 2^-[`MARGIN_PLACES`]. Of one turn alone, the bound is that of its ends.
+fn margin(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction, is_one_turn: bool) -> IBig {
+    let of_body = |i: usize| {
+        let off = if is_one_turn { stretches[i].ends_off.clone() } else { stretches[i].angle_off() };
+        if off == IBig::ZERO {
+            return off;
+        }
+        let along = match (&stretches[i].axis, direction, i) {
+            (Some(axis), Direction::Space(u), _)
+            | (Some(axis), Direction::A(u), 0)
+            | (Some(axis), Direction::B(u), 1) => axis.across(u),
+            _ => direction.length(),
+        };
+        &bodies[i].reach * off * along
+    };
+    of_body(0) + of_body(1)
+}
+
+/// The gap along a direction during a stretch; of one turn alone, at each of its angles.
+pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction, is_one_turn: bool) -> Gap {
     let [a, b] = stretches;
     let squares = stretches.map(|stretch| combined(&stretch.turns, &stretch.turns, IBig::ZERO, dot, |a, b| a + b));
     let both = product(&squares[0], &squares[1]);
@@ -145,7 +166,7 @@ pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Dir
     Gap {
         placed: polynomial::sum(&[bases, of_a, of_b]),
         scale: both.iter().map(|c| c * &weight).collect(),
-        margin: displacement(bodies, stretches) * direction.length(),
+        margin: margin(bodies, stretches, direction, is_one_turn),
     }
 }
 

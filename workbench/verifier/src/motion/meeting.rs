@@ -71,7 +71,7 @@ impl Pair {
         Placed {
             question: Displaced::of_vectors(from, to, [a, b].concat(), self.exponent),
             scale: &squares[0] * &squares[1] * weight,
-            angles_off: stretches.map(|stretch| stretch.angle_off.clone()),
+            angles_off: stretches.map(|stretch| stretch.angle_off()),
             off: displacement(self.solids.each_ref(), stretches),
             first: self.solids[0].generators.len(),
         }

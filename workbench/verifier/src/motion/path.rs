@@ -109,6 +109,22 @@ impl Path {
         }
     }
 
+    /// Whether the body turns about an axis that stays where it is, at constant rate.
+    pub(super) fn only_turns(&self) -> bool {
+        matches!(self, Self::Turning(turning) if turning.only_turns())
+    }
+
+    /// Whether the body stays where it is.
+    pub(super) fn is_rest(&self) -> bool {
+        let is_zero = |v: &Vector| v.iter().all(|c| *c == IBig::ZERO);
+        match self {
+            Self::Turning(turning) => turning.is_rest(),
+            Self::Pieces(pieces) => {
+                matches!(pieces.as_slice(), [piece] if piece.turns[0] == piece.turns[1] && is_zero(&piece.travel))
+            }
+        }
+    }
+
     /// The times at which a stretch must end.
     pub(super) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
         let pieces: &[Piece] = if let Self::Pieces(pieces) = self { pieces } else { &[] };
@@ -168,7 +184,9 @@ impl Piece {
             base: [gone(from), gone(to)],
             arm: multiple(&length, &self.arm),
             weight: length * &self.weight,
-            angle_off: IBig::ZERO,
+            ends_off: IBig::ZERO,
+            chord: IBig::ZERO,
+            axis: None,
         })
     }
 }

@@ -2,10 +2,11 @@
 
 use dashu_int::IBig;
 
-use super::quaternion::{Quaternion, Vector};
+use super::quaternion::{Quaternion, Vector, cross, dot};
+use super::root::{ROOT_PLACES, quotient_above, root_above};
 
 /// A stretch of a motion: the placements x ↦ (P(s) + R(q(s)) (W x + arm)) / W for s in [0, 1], P and q linear, that are
-/// off the motion by at most an angle about its axis.
+/// off the motion by at most an angle about its axis. About that axis they are all turns between those at both ends.
 #[derive(Debug, Clone)]
 pub(super) struct Stretch {
     /// The quaternion at both ends, or one that stays.
@@ -15,6 +16,51 @@ pub(super) struct Stretch {
     pub(super) arm: Vector,
     /// W.
     pub(super) weight: IBig,
+    /// The bound of the angle at the ends, in units of 2^-96.
+    pub(super) ends_off: IBig,
+    /// By how much the angle between the ends may be farther off.
+    pub(super) chord: IBig,
+    /// The axis about which a motion turns at constant rate.
+    pub(super) axis: Option<Axis>,
+}
+
+impl Stretch {
     /// The bound of the angle, in units of 2^-96.
-    pub(super) angle_off: IBig,
+    pub(super) fn angle_off(&self) -> IBig {
+        &self.ends_off + &self.chord
+    }
+}
+
+/// A direction of an axis.
+#[derive(Debug, Clone)]
+pub(super) struct Axis {
+    /// A vector along it, of any length but 0.
+    pub(super) vector: Vector,
+    /// Its length in units of 2^-`places`, rounded down.
+    pub(super) length: IBig,
+    pub(super) places: usize,
+}
+
+impl Axis {
+    /// At least the length of a vector's part across the axis, in units of 2^-64.
+    pub(super) fn across(&self, u: &Vector) -> IBig {
+        let across = cross(u, &self.vector);
+        let product = root_above(&dot(&across, &across)) << (ROOT_PLACES + self.places);
+        quotient_above(&product, &self.length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_across_an_axis_is_bounded_from_above_and_nothing_along_it() {
+        let vector = |v: [i32; 3]| v.map(IBig::from);
+        let axis = Axis { vector: vector([0, 3, 4]), length: IBig::from(5) << 8_usize, places: 8 };
+        assert!(axis.across(&vector([0, -6, -8])) <= IBig::ONE);
+        let across = axis.across(&vector([7, 3, 4]));
+        let seven = IBig::from(7) << 64_usize;
+        assert!(across >= seven && across <= &seven + (IBig::ONE << 40_usize), "{across}");
+    }
 }

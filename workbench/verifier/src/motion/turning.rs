@@ -19,6 +19,10 @@
 //! **The ends.** If q_0 and q_1 are within η of e(h_0) and e(h_1), so is the path between of the chord, which is no
 //! shorter than cos a. The angle between two vectors is at most the arc sine of η / cos a ≤ η π / (2 cos a), the
 //! rotations differ by twice that, at most 4 η where cos a ≥ 0.9.
+//!
+//! **One turn alone.** Where nothing but this rotation moves, bodies are disjoint at every time of a stretch if they
+//! are at every angle between its ends. The linear path goes through all angles between those of q_0 and q_1, which the
+//! ends of the motion are within 4 η of: the bound of the ends alone is left.
 
 mod sines;
 
@@ -28,7 +32,7 @@ use dashu_int::ops::{BitTest, SquareRoot};
 use self::sines::{QuarterTurn, SINE_PLACES};
 use super::quaternion::{Quaternion, Vector, cross, difference, dot, identity, multiple, sum};
 use super::root::{quotient_above, root_above};
-use super::stretch::Stretch;
+use super::stretch::{Axis, Stretch};
 use crate::exact::grid::Grid;
 
 /// The places after the point of the ends of a stretch.
@@ -76,6 +80,16 @@ impl Turning {
         Some(Self { point, travel, axis, length, length_places, axis_bits, angle: whole, angle_places, quarter })
     }
 
+    /// Whether the axis stays where it is.
+    pub(super) fn only_turns(&self) -> bool {
+        self.travel.iter().all(|c| *c == IBig::ZERO)
+    }
+
+    /// Whether the body stays where it is.
+    pub(super) fn is_rest(&self) -> bool {
+        self.only_turns() && self.angle == IBig::ZERO
+    }
+
     /// Whether the angle between two times, in units of 2^-`places`, is small enough for one stretch.
     pub(super) fn is_one_stretch(&self, [from, to]: [&IBig; 2], places: usize) -> bool {
         let [most, over] = LARGEST_ANGLE.map(IBig::from);
@@ -94,16 +108,19 @@ impl Turning {
         let base = [from, to].map(|time| sum(&multiple(&weight, &self.point), &multiple(time, &self.travel)));
         let arm = multiple(&-&weight, &self.point);
         if self.angle == IBig::ZERO {
-            return Stretch { turns: vec![identity()], base, arm, weight, angle_off: IBig::ZERO };
+            let (ends_off, chord) = (IBig::ZERO, IBig::ZERO);
+            return Stretch { turns: vec![identity()], base, arm, weight, ends_off, chord, axis: None };
         }
         let mut turns = vec![self.turned(from, places)];
         // Rounding to 2^-80 leaves an end within 2^-78, see `turned`.
-        let mut angle_off = IBig::ONE << (ANGLE_PLACES - END_PLACES + 4);
+        let ends_off = IBig::ONE << (ANGLE_PLACES - END_PLACES + 4);
+        let mut chord = IBig::ZERO;
         if from != to {
             turns.push(self.turned(to, places));
-            angle_off += self.chord([from, to], places);
+            chord = self.chord([from, to], places);
         }
-        Stretch { turns, base, arm, weight, angle_off }
+        let axis = Axis { vector: self.axis.clone(), length: self.length.clone(), places: self.length_places };
+        Stretch { turns, base, arm, weight, ends_off, chord, axis: Some(axis) }
     }
 
     /// 257 t³ / 1000, rounded up.

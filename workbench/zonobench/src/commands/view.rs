@@ -74,7 +74,7 @@ pub(super) fn lattice(generators: &[Vec<f64>]) -> Option<FaceLattice> {
     }
     let space = generators.iter().map(|generator| <[f64; 3]>::try_from(generator.as_slice()).ok());
     let body = Zonotope::new([0.0; 3], space.collect::<Option<_>>()?).ok()?;
-    match faces(&body) {
+    match faces(&body, &mut ()) {
         Ok(Faces::Flat(lattice) | Faces::Solid(lattice)) => Some(lattice),
         _ => None,
     }

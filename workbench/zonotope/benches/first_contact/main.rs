@@ -83,12 +83,33 @@ fn families() {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
-    if let [name, count] = arguments.as_slice() {
-        assert_eq!(name, "missed", "the one other measurement");
-        return missed::count(count.parse().expect("a number of motions"));
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["missed", count] => missed::count(count.parse().expect("a number of motions")),
+        ["profile", kind, n] => profile(kind, n.parse().expect("a number of generators")),
+        ["times"] => times(),
+        ["families"] => families(),
+        _ => {
+            times();
+            families();
+        }
     }
-    times();
-    families();
+}
+
+/// The scenes of a kind, asked about once each within [`profiled`], for a profiler that collects there.
+fn profile(kind: &str, n: usize) {
+    let scene = |seed| if kind == "meeting" { meeting(n, seed) } else { passing(n, seed, CLEARANCE) };
+    let scenes: Vec<Scene> = (0..MOTIONS).map(scene).collect();
+    scenes.iter().for_each(|scene| {
+        black_box(answer(scene));
+    });
+    profiled(&scenes);
+}
+
+#[inline(never)]
+fn profiled(scenes: &[Scene]) {
+    for scene in scenes {
+        black_box(answer(black_box(scene)));
+    }
 }
 
 fn times() {

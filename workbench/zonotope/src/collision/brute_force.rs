@@ -30,12 +30,6 @@
 //! Exact rationals throughout. Basis coefficients are rounded to nearest; a separating direction is rounded if the
 //! rounded one still separates exactly.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The crate `verifier`, and squares and cubes by hand.
 //!

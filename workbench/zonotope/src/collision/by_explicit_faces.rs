@@ -31,9 +31,6 @@
 //! # Errors
 //! [`FacesError::TooManyDirections`] ⇔ the lattice would not fit 32-bit indices.
 //!
-//! # Panics
-//! Never. More than three dimensions do not compile.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family, the crate `verifier` for each proof.
 //!
@@ -42,7 +39,7 @@
 //! use zonotope::collision::{Query, Status, by_explicit_faces};
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let question = Query::new([0.0; 3], [2.0, 1.0, 0.0], &cube).unwrap();
-//! let gauge = by_explicit_faces::gauge(&question).unwrap();
+//! let gauge = by_explicit_faces::gauge(&question, &mut ()).unwrap();
 //! assert_eq!((gauge.value, gauge.location.status()), (2.0, Status::Outside));
 //! ```
 
@@ -63,34 +60,17 @@ use crate::zonotope::query::Query;
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn locate<const D: usize>(question: &Query<'_, D>) -> Result<Location<D>, FacesError> {
-    locate_counted(question, &mut ())
-}
-
-/// [`locate`], counting its operations.
-///
-/// # Errors
-/// [`FacesError::TooManyDirections`].
-pub fn locate_counted<const D: usize>(
-    question: &Query<'_, D>,
-    tally: &mut impl Tally,
-) -> Result<Location<D>, FacesError> {
-    Ok(gauge_counted(question, tally)?.location)
+pub fn locate<const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> Result<Location<D>, FacesError> {
+    Ok(gauge(question, tally)?.location)
 }
 
 /// The gauge of a displacement and where it lies.
 ///
-/// # Errors
-/// [`FacesError::TooManyDirections`].
-pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Result<Gauge<D>, FacesError> {
-    gauge_counted(question, &mut ())
-}
-
-/// [`gauge`], counting its operations: a line evaluation for each facet, an exact fallback for each that is in doubt.
+/// A line evaluation is counted for each facet, an exact fallback for each that is in doubt.
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn gauge_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> Result<Gauge<D>, FacesError> {
+pub fn gauge<const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> Result<Gauge<D>, FacesError> {
     const { assert!(D <= 3, "the face lattice is that of a body in space") }
     let displacement = question.exact();
     let point = displacement.to_vec();
@@ -147,7 +127,9 @@ fn in_space<const D: usize>(vector: &[Dyadic; D]) -> ExactVector {
 /// The facet of a solid body whose multiple has the point on its boundary.
 fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally) -> Result<TightestFacet, FacesError> {
     let body = Zonotope::new([0.0; 3], generators.to_vec()).expect("a displacement has finite generators");
-    let Faces::Solid(lattice) = faces(&body)? else { unreachable!("the axes off the span make the body solid") };
+    let Faces::Solid(lattice) = faces(&body, &mut ())? else {
+        unreachable!("the axes off the span make the body solid")
+    };
     let half = lattice.facet_count() as u32 / 2;
     tally.add(Operation::LineEvaluation, u64::from(half));
     let probe = Probe::new(&lattice, point);

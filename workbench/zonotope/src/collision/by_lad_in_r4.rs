@@ -32,12 +32,6 @@
 //! Every decision is exact. The gauge is rounded within `error`; beyond the range of doubles it is `f64::MAX` with
 //! infinite error.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family, the crate `verifier` for each proof.
 //!
@@ -47,7 +41,7 @@
 //! // the cube [−1, 1]⁴ and the point (0, 3, 0, 1)
 //! let cube = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 //! let question = Query::new([0.0; 4], [0.0, 3.0, 0.0, 1.0], &cube).unwrap();
-//! let gauge = by_lad_in_r4::gauge(&question);
+//! let gauge = by_lad_in_r4::gauge(&question, &mut ());
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, Status::Outside));
 //! ```
 
@@ -63,22 +57,12 @@ use crate::zonotope::location::{Gauge, Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
-pub fn locate(question: &Query<'_, 4>) -> Location<4> {
-    locate_counted(question, &mut ())
-}
-
-/// [`locate`], counting its operations.
-pub fn locate_counted(question: &Query<'_, 4>, tally: &mut impl Tally) -> Location<4> {
-    gauge_counted(question, tally).location
+pub fn locate(question: &Query<'_, 4>, tally: &mut impl Tally) -> Location<4> {
+    gauge(question, tally).location
 }
 
 /// The gauge of a displacement and where it lies.
-pub fn gauge(question: &Query<'_, 4>) -> Gauge<4> {
-    gauge_counted(question, &mut ())
-}
-
-/// [`gauge`], counting its operations.
-pub fn gauge_counted(question: &Query<'_, 4>, tally: &mut impl Tally) -> Gauge<4> {
+pub fn gauge(question: &Query<'_, 4>, tally: &mut impl Tally) -> Gauge<4> {
     let p = question.exact();
     let zero = || std::array::from_fn(|_| Dyadic::zero());
     if p.iter().all(Dyadic::is_zero) {

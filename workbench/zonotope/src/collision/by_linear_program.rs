@@ -27,12 +27,6 @@
 //! # Numerics
 //! The engine's numbers are guesses; what is concluded from them is decided in exact arithmetic.
 //!
-//! # Errors
-//! None: a [`Query`] is valid, and failures of the engine are answers.
-//!
-//! # Panics
-//! Never by itself.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the crate `verifier` wherever it answers.
 //!

@@ -25,9 +25,6 @@
 //! # Numerics
 //! The side of ℓ_t on which the centre lies is decided exactly.
 //!
-//! # Errors
-//! None: a hull is valid by construction.
-//!
 //! # Panics
 //! If a coordinate of the centre is not finite, or there is not one farthest vertex for each edge of the hull.
 //!
@@ -40,9 +37,9 @@
 //! use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 //! use zonotope::hull::{antipodal::farthest_vertices, convex_hull};
 //!
-//! let triangle = convex_hull(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-//! let farthest = farthest_vertices(&triangle);
-//! let zonogon = CenteredZonogon::new(&triangle, &farthest, [1.0, 1.0]);
+//! let triangle = convex_hull(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]], &mut ())?;
+//! let farthest = farthest_vertices(&triangle, &mut ());
+//! let zonogon = CenteredZonogon::new(&triangle, &farthest, [1.0, 1.0], &mut ());
 //! // the square of the triangle and its reflection in the midpoint of its long side
 //! assert_eq!(zonogon.exact_area().to_f64(), 4.0);
 //! # Ok::<(), zonotope::hull::HullError>(())
@@ -80,22 +77,11 @@ pub struct CenteredZonogon<'h> {
 impl<'h> CenteredZonogon<'h> {
     /// The smallest zonogon with a centre of finite coordinates around a hull.
     ///
-    /// # Panics
-    /// When `farthest` does not have one vertex for each edge of the hull, or the centre is not finite.
-    pub fn new(hull: &'h ConvexHull, farthest: &'h [FarthestVertex], center: [f64; 2]) -> Self {
-        Self::new_counted(hull, farthest, center, &mut ())
-    }
-
-    /// Returns what [`new`](Self::new) returns and counts the sides of lines and the edges of the boundary.
+    /// The sides of lines and the edges of the boundary are counted.
     ///
     /// # Panics
-    /// As [`new`](Self::new).
-    pub fn new_counted(
-        hull: &'h ConvexHull,
-        farthest: &'h [FarthestVertex],
-        center: [f64; 2],
-        tally: &mut impl Tally,
-    ) -> Self {
+    /// When `farthest` does not have one vertex for each edge of the hull, or the centre is not finite.
+    pub fn new(hull: &'h ConvexHull, farthest: &'h [FarthestVertex], center: [f64; 2], tally: &mut impl Tally) -> Self {
         assert!(center.iter().all(|v| v.is_finite()), "the centre has finite coordinates");
         let bisectors = Bisectors::new(hull, farthest);
         let exact_center = homogeneous(center);

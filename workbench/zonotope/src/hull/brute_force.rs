@@ -29,16 +29,13 @@
 //! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
 //! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! This is the truth; the crate `verifier` checks it by the definition.
 //!
 //! # Example
 //! ```
 //! let points = [[1.0, 1.0], [0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [0.0, 2.0]];
-//! let hull = zonotope::hull::brute_force::convex_hull(&points)?;
+//! let hull = zonotope::hull::brute_force::convex_hull(&points, &mut ())?;
 //! assert_eq!(hull.vertices(), [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]);
 //! # Ok::<(), zonotope::hull::HullError>(())
 //! ```
@@ -51,17 +48,11 @@ use crate::tally::Tally;
 
 /// The convex hull.
 ///
-/// # Errors
-/// See the module.
-pub fn convex_hull(points: &[[f64; 2]]) -> Result<ConvexHull, HullError> {
-    convex_hull_counted(points, &mut ())
-}
-
-/// [`convex_hull`], counting orientation tests.
+/// Orientation tests are counted.
 ///
 /// # Errors
 /// See the module.
-pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
+pub fn convex_hull(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
     check_count(points.len())?;
     NonFinite::check_list("point", points)?;
     let start = (0..points.len()).fold(0, |best, at| if points[at] < points[best] { at } else { best });

@@ -23,7 +23,7 @@ mod method;
 mod polygon;
 mod sites;
 
-pub use by_discarding::{convex_hull, convex_hull_counted};
+pub use by_discarding::convex_hull;
 pub use error::{HullError, MAX_POINTS};
 pub use method::Method;
 pub use polygon::{ConvexHull, PointIndex, VertexIndex};

@@ -10,9 +10,9 @@ use crate::tally::{Operation, OperationCounts};
 type Method = fn(&[[f64; 2]]) -> Result<ConvexHull, HullError>;
 
 const METHODS: [(&str, Method); 3] = [
-    ("brute_force", brute_force::convex_hull),
-    ("by_monotone_chain", by_monotone_chain::convex_hull),
-    ("by_discarding", by_discarding::convex_hull),
+    ("brute_force", |points| brute_force::convex_hull(points, &mut ())),
+    ("by_monotone_chain", |points| by_monotone_chain::convex_hull(points, &mut ())),
+    ("by_discarding", |points| by_discarding::convex_hull(points, &mut ())),
 ];
 
 fn points_of<S: Strategy<Value = f64>>(coordinate: impl Fn() -> S) -> impl Strategy<Value = Vec<[f64; 2]>> {
@@ -87,7 +87,7 @@ proptest! {
 
     #[test]
     fn methods_agree_and_verify(points in point_sets()) {
-        let truth = brute_force::convex_hull(&points).expect("the points are finite");
+        let truth = brute_force::convex_hull(&points, &mut ()).expect("the points are finite");
         prop_assert_eq!(check_convex_hull(&points, &truth).proof().map(drop), Ok(()));
         for (vertex, index) in truth.vertices().iter().zip(truth.indices()) {
             prop_assert_eq!(points.iter().position(|point| point == vertex), Some(index.get()), "first occurrence");
@@ -104,8 +104,8 @@ proptest! {
     #[test]
     fn methods_agree_on_many_points(points in point_sets(), count in 500_usize..4000) {
         let points = enlarged(&points, count);
-        let truth = brute_force::convex_hull(&points).expect("the points are finite");
-        prop_assert_eq!(convex_hull(&points), Ok(truth));
+        let truth = brute_force::convex_hull(&points, &mut ()).expect("the points are finite");
+        prop_assert_eq!(convex_hull(&points, &mut ()), Ok(truth));
     }
 }
 
@@ -166,7 +166,7 @@ fn bad_input_is_refused() {
 fn counting_changes_nothing_and_counts() {
     let points: Vec<[f64; 2]> = (0..2000).map(|k| f64::from(k) - 1000.0).map(|x| [x, x * x]).collect();
     let mut counts = OperationCounts::default();
-    assert_eq!(convex_hull_counted(&points, &mut counts), convex_hull(&points));
+    assert_eq!(convex_hull(&points, &mut counts), convex_hull(&points, &mut ()));
     assert!((2000..8000).contains(&counts.get(Operation::Turn)));
     // the first and the last point against the line through them
     assert_eq!(counts.get(Operation::ExactFallback), 2);

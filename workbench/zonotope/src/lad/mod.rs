@@ -21,5 +21,5 @@ pub use crate::arrangement::{ExactLine, LineIndex};
 pub(crate) use of_lines::kernel_input;
 pub use of_lines::{
     LadCertificate, LadError, LadOptimum, LadOutcome, LadProblem, Method, Minimizer, WeightedLine, brute_force,
-    by_line_search, by_pruning, by_slope_selection, minimize, minimize_counted,
+    by_line_search, by_pruning, by_slope_selection, minimize,
 };

@@ -38,9 +38,6 @@
 //! [`LineFitError::NonFinite`] ⇔ a coordinate or a weight is NaN or infinite; [`LineFitError::NegativeWeight`] ⇔ a
 //! weight is below zero; [`LineFitError::TooMany`] ⇔ 2^32 points or more.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The kernel's brute force, and the crate `verifier` on every answer.
 //!
@@ -185,7 +182,7 @@ impl LineFit<'_> {
     /// The proof that no line is better; where several are as good, its own may be another one. Expected O(n).
     pub fn proof(&self) -> LineFitProof {
         let problem = problem_of(self.points).expect("the points were validated when the line was fitted");
-        let outcome = by_pruning::minimize(&problem, DEFAULT_SEED);
+        let outcome = by_pruning::minimize(&problem, DEFAULT_SEED, &mut ());
         let optimum = outcome.into_optimum().expect("a sum of absolute values is bounded below");
         LineFitProof { problem, optimum }
     }

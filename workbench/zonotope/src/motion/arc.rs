@@ -13,6 +13,8 @@ pub(super) struct Arc<T> {
     pub(super) turns: [Quaternion<T>; 2],
     /// The weight times P at both ends.
     pub(super) base: [[T; 3]; 2],
+    /// A bound of the magnitudes of the terms that a base is a sum of, but for a few roundings.
+    pub(super) base_size: f64,
     /// The weight times w.
     pub(super) arm: [T; 3],
     /// The weight.
@@ -81,6 +83,7 @@ impl Arc<Bounded> {
         Arc {
             turns: self.turns.map(|q| q.map(|c| c.value)),
             base: self.base.each_ref().map(vector),
+            base_size: self.base_size,
             arm: vector(&self.arm),
             weight: self.weight.value,
             is_translation: self.is_translation,

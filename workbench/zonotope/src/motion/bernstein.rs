@@ -41,6 +41,41 @@ pub(super) fn multiple<T: Ring, const A: usize>(factor: &T, a: &[T; A]) -> [T; A
     a.each_ref().map(|c| factor.times(c))
 }
 
+/// The number of times that a polynomial with a coefficient that is not positive is halved, at most.
+const MOST_HALVINGS: u32 = 4;
+
+/// The inverses of the binomial coefficients of degree 5: those of scaled Bernstein coefficients.
+pub(super) const INVERSE_BINOMIALS: [f64; 6] = [1.0, 0.2, 0.1, 0.1, 0.2, 1.0];
+
+/// The Bernstein coefficients, not scaled.
+pub(super) fn unscaled(a: &[f64; 6]) -> [f64; 6] {
+    std::array::from_fn(|k| a[k] * INVERSE_BINOMIALS[k])
+}
+
+/// Whether a polynomial by its coefficients, not scaled, is above a number that is not negative on [0, 1], as the
+/// coefficients of its parts tell it.
+pub(super) fn is_above(a: &[f64; 6], least: f64) -> bool {
+    is_above_within(a, least, MOST_HALVINGS)
+}
+
+fn is_above_within(a: &[f64; 6], least: f64, halvings: u32) -> bool {
+    if a.iter().all(|c| *c > least) {
+        return true;
+    }
+    // at its ends the polynomial is the first and the last coefficient
+    if halvings == 0 || a.iter().any(|c| c.is_nan()) || a[0] <= least || a[5] <= least {
+        return false;
+    }
+    let (mut rest, mut left, mut right) = (*a, [a[0]; 6], [a[5]; 6]);
+    for step in 1..6 {
+        for k in 0..6 - step {
+            rest[k] = (rest[k] + rest[k + 1]) / 2.0;
+        }
+        (left[step], right[5 - step]) = (rest[0], rest[5 - step]);
+    }
+    is_above_within(&left, least, halvings - 1) && is_above_within(&right, least, halvings - 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -49,6 +84,18 @@ mod tests {
     fn value<const A: usize>(coefficients: &[f64; A], s: f64) -> f64 {
         let degree = A as i32 - 1;
         (0..).zip(coefficients).map(|(k, c)| c * s.powi(k) * (1.0 - s).powi(degree - k)).sum()
+    }
+
+    #[test]
+    fn a_polynomial_with_a_negative_coefficient_is_positive_by_its_halves() {
+        // 1 − 4 s (1 − s) · 0.9 has the least value 0.1 at the middle
+        let bump = |height: f64| -> [f64; 6] {
+            let quadratic = [1.0, 2.0 - 4.0 * height, 1.0];
+            unscaled(&elevated::<f64, 5, 6>(&elevated::<f64, 4, 5>(&elevated::<f64, 3, 4>(&quadratic))))
+        };
+        assert!(bump(0.9).iter().any(|c| *c < 0.0));
+        assert!(is_above(&bump(0.9), 0.09) && !is_above(&bump(0.9), 0.11) && !is_above(&bump(1.01), 0.0));
+        assert!(!is_above(&[f64::NAN; 6], 0.0));
     }
 
     #[test]

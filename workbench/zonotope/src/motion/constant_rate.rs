@@ -1,6 +1,10 @@
 //! A rotation at constant rate, which rational placements are near: on a stretch the quaternion goes linearly between
 //! two rational ones, and a bound says how far the angle is off.
 //!
+//! A stretch of which the placements alone count, and not the time of each, is exact: about one axis it turns
+//! through every angle between its ends, and ends that are moved outwards by more than their rounding contain those of
+//! the motion. So it is where nothing but this rotation moves.
+//!
 //! Let θ be the angle of a stretch and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
 //! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, so that the difference
 //! is at most its first term, t³/3 · |x − x³| ≤ 2 t³ / (9 √3).
@@ -11,7 +15,7 @@ use super::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
-use crate::numeric::linear::{cross, euclidean_norm};
+use crate::numeric::linear::{cross, euclidean_norm, sum_norm};
 use crate::numeric::tolerance::{ANGLE_ROUNDING, ANGLE_ROUNDING_OF_A_TURN, CHORD_OF_A_LINEAR_QUATERNION, UNIT};
 use crate::zonotope::Zonotope;
 
@@ -20,6 +24,15 @@ pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
 /// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
 const LARGEST_QUARTER: f64 = 0.7;
+
+/// Whether a stretch must have each placement at its time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Clock {
+    /// Each placement is that of the motion at the same time, but for a bound.
+    Kept,
+    /// The placements of the motion are among those of the stretch, each at any time.
+    Free,
+}
 
 /// The motion x ↦ p + R(t · angle) (x − p) + t · translation for t in [0, 1], R about an axis of any length.
 #[derive(Debug, Clone)]
@@ -82,19 +95,24 @@ impl ConstantRate {
         self.bounded_axis.map(|c| c.value / self.length)
     }
 
+    /// Whether the axis stays where it is.
+    pub(super) fn only_turns(&self) -> bool {
+        self.translation == [0.0; 3]
+    }
+
     /// The stretch between two times, exactly; its quaternions are near those of the motion.
-    pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
-        self.between(times, &self.axis)
+    pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
+        self.between(times, clock, &self.axis)
     }
 
     /// The same stretch in doubles.
-    pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
-        self.between(times, &self.bounded_axis)
+    pub(super) fn arc(&self, times: [f64; 2], clock: Clock) -> Arc<Bounded> {
+        self.between(times, clock, &self.bounded_axis)
     }
 
     /// The same in doubles without bounds.
-    pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
-        self.between(times, &self.bounded_axis.map(|c| c.value))
+    pub(super) fn rounded_arc(&self, times: [f64; 2], clock: Clock) -> Arc<f64> {
+        self.between(times, clock, &self.bounded_axis.map(|c| c.value))
     }
 
     /// A bound of the angle between a placement of the motion and that of the stretch at the same time.
@@ -102,7 +120,7 @@ impl ConstantRate {
         if self.angle == 0.0 {
             return 0.0;
         }
-        let rounding = ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs();
+        let rounding = self.rounding();
         let quarter = (self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0;
         if quarter.is_nan() || quarter >= LARGEST_QUARTER {
             return f64::INFINITY;
@@ -123,9 +141,19 @@ impl ConstantRate {
         (reach + terms * 4.0 * UNIT * size).next_up()
     }
 
-    fn between<T: Scalar>(&self, times: [f64; 2], axis: &[T; 3]) -> Arc<T> {
-        let turned = |t: f64| {
-            let half = self.angle * t / 2.0;
+    /// A bound of the angle by which an end of a stretch is off.
+    fn rounding(&self) -> f64 {
+        ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs()
+    }
+
+    fn between<T: Scalar>(&self, times: [f64; 2], clock: Clock, axis: &[T; 3]) -> Arc<T> {
+        let outwards = match clock {
+            Clock::Kept => 0.0,
+            // half an angle is moved, so the angle by twice its rounding
+            Clock::Free => self.rounding().copysign(self.angle),
+        };
+        let turned = |(t, outwards): (f64, f64)| {
+            let half = self.angle * t / 2.0 + outwards;
             let along = T::of(libm::sin(half) / self.length);
             let [x, y, z] = axis.each_ref().map(|c| along.times(c));
             [T::of(libm::cos(half)), x, y, z]
@@ -135,8 +163,9 @@ impl ConstantRate {
             [0, 1, 2].map(|k| T::of(self.axis_point[k]).plus(&moved(k)))
         };
         Arc {
-            turns: times.map(turned),
+            turns: [(times[0], -outwards), (times[1], outwards)].map(turned),
             base: times.map(gone),
+            base_size: sum_norm(&self.axis_point) + sum_norm(&self.translation),
             arm: self.axis_point.map(|c| T::of(-c)),
             weight: T::ONE,
             is_translation: self.angle == 0.0,

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::arc::Arc;
-use super::constant_rate::{ConstantRate, LARGEST_ANGLE};
+use super::constant_rate::{Clock, ConstantRate, LARGEST_ANGLE};
 use super::piece::{Piece, Standing};
 use super::quaternion::polar_rotation;
 use super::sweep::Sweep;
@@ -200,7 +200,7 @@ impl Motion {
     /// The placement at a time from 0 to 1, rounded: a matrix that is a rotation but for rounding, and a translation.
     /// `None` where a coordinate leaves the range of doubles.
     pub fn pose_at(&self, time: f64) -> Option<Pose> {
-        let arc = self.rounded_arc([time, time]);
+        let arc = self.rounded_arc([time, time], Clock::Kept);
         let turn = &arc.turns[0];
         let square = dot(turn, turn);
         let mut rotation = polar_rotation(turn, turn);
@@ -236,6 +236,22 @@ impl Motion {
         }
     }
 
+    /// Whether the motion turns about an axis that stays where it is, at constant rate.
+    pub(super) fn only_turns(&self) -> bool {
+        match &self.0 {
+            Kind::Rational(_) => false,
+            Kind::ConstantRate(motion) => motion.only_turns(),
+        }
+    }
+
+    /// Whether the body stays where it is, at every time.
+    pub(super) fn is_rest(&self) -> bool {
+        match &self.0 {
+            Kind::Rational(pieces) => matches!(pieces.as_slice(), [piece] if piece.is_rest()),
+            Kind::ConstantRate(motion) => motion.angle() == 0.0 && motion.only_turns(),
+        }
+    }
+
     /// The times strictly between two others at which a stretch must end: those at which a part of the motion ends.
     pub(super) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
         let pieces: &[Piece] = match &self.0 {
@@ -254,26 +270,26 @@ impl Motion {
     }
 
     /// The motion between two times within one stretch, exactly; for constant rate a motion near it.
-    pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
+    pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).exact_arc(times),
-            Kind::ConstantRate(motion) => motion.exact_arc(times),
+            Kind::ConstantRate(motion) => motion.exact_arc(times, clock),
         }
     }
 
     /// The same in doubles with bounds.
-    pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
+    pub(super) fn arc(&self, times: [f64; 2], clock: Clock) -> Arc<Bounded> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).arc(times),
-            Kind::ConstantRate(motion) => motion.arc(times),
+            Kind::ConstantRate(motion) => motion.arc(times, clock),
         }
     }
 
     /// The same in doubles without bounds.
-    fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
+    pub(super) fn rounded_arc(&self, times: [f64; 2], clock: Clock) -> Arc<f64> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).rounded_arc(times),
-            Kind::ConstantRate(motion) => motion.rounded_arc(times),
+            Kind::ConstantRate(motion) => motion.rounded_arc(times, clock),
         }
     }
 
@@ -282,6 +298,14 @@ impl Motion {
         match &self.0 {
             Kind::Rational(_) => 0.0,
             Kind::ConstantRate(motion) => motion.angle_off(times),
+        }
+    }
+
+    /// The unit vector of the axis of a rotation at constant rate, rounded; zero for rational motions.
+    pub(super) fn unit_axis(&self) -> [f64; 3] {
+        match &self.0 {
+            Kind::Rational(_) => [0.0; 3],
+            Kind::ConstantRate(motion) => motion.unit_axis(),
         }
     }
 

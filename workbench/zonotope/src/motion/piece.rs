@@ -6,7 +6,7 @@ use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, sum_norm};
 
 /// The placements x ↦ P(s) + R(q(s)) (x + w) for times between two: s is linear in the time, P(s) = base + s travel.
 /// The base and w are given times the weight, a positive number.
@@ -30,6 +30,8 @@ pub(super) struct Piece {
     exact: Path<Dyadic>,
     bounded: Path<Bounded>,
     rounded: Path<f64>,
+    /// |base|_1 + |travel|_1, rounded.
+    base_size: f64,
     is_translation: bool,
 }
 
@@ -102,7 +104,9 @@ impl Piece {
     fn of([from, until]: [f64; 2], mut path: Path<Dyadic>) -> Self {
         scale_down(path.turns.as_flattened_mut());
         let is_translation = path.turns[0] == path.turns[1];
-        Self { from, until, bounded: path.near(), rounded: path.near(), exact: path, is_translation }
+        let rounded: Path<f64> = path.near();
+        let base_size = sum_norm(&rounded.base) + sum_norm(&rounded.travel);
+        Self { from, until, bounded: path.near(), rounded, base_size, exact: path, is_translation }
     }
 
     /// The same piece with all lengths times a power of two.
@@ -111,7 +115,7 @@ impl Piece {
         for list in [&mut path.base, &mut path.travel, &mut path.arm] {
             list.iter_mut().for_each(|c| *c = c.clone().scaled(exponent));
         }
-        Self { bounded: path.near(), rounded: path.near(), exact: path, ..*self }
+        Self::of([self.from, self.until], path)
     }
 
     /// The binary exponent of the largest length, or one more.
@@ -121,19 +125,50 @@ impl Piece {
         Some(largest - weight.binary_exponent()?)
     }
 
+    /// Whether the body stays where it is.
+    pub(super) fn is_rest(&self) -> bool {
+        self.is_translation && self.exact.travel.iter().all(Dyadic::is_zero)
+    }
+
     /// The stretch of the piece between two of its times, exactly.
     pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
-        self.exact.between(times, self.is_translation)
+        self.between(&self.exact, times)
     }
 
     /// The same in doubles without bounds.
     pub(super) fn rounded_arc(&self, times: [f64; 2]) -> Arc<f64> {
-        self.rounded.between(times, self.is_translation)
+        self.between(&self.rounded, times)
     }
 
     /// The stretch of the piece between two of its times, in doubles.
     pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
-        self.bounded.between(times, self.is_translation)
+        self.between(&self.bounded, times)
+    }
+}
+
+impl Piece {
+    /// The stretch between two times t of a path of the piece; the quaternions are times the length L of the path's
+    /// time, the base times L and the weight.
+    fn between<T: Scalar>(&self, path: &Path<T>, times: [f64; 2]) -> Arc<T> {
+        let [start, end] = &path.times;
+        let length = end.minus(start);
+        let [from, to] = &path.turns;
+        let turned = |t: f64| {
+            let t = T::of(t);
+            sum(&multiple(&end.minus(&t), from), &multiple(&t.minus(start), to))
+        };
+        let gone = |t: f64| {
+            let passed = T::of(t).minus(start);
+            [0, 1, 2].map(|k| length.times(&path.base[k]).plus(&passed.times(&path.travel[k])))
+        };
+        Arc {
+            turns: if self.is_translation { [from.clone(), from.clone()] } else { times.map(turned) },
+            base: times.map(gone),
+            base_size: (self.until - self.from) * self.base_size,
+            arm: path.arm.each_ref().map(|c| length.times(c)),
+            weight: length.times(&path.weight),
+            is_translation: self.is_translation,
+        }
     }
 }
 
@@ -148,31 +183,6 @@ impl Path<Dyadic> {
             travel: vector(&self.travel),
             arm: vector(&self.arm),
             weight: T::near(&self.weight),
-        }
-    }
-}
-
-impl<T: Scalar> Path<T> {
-    /// The stretch between two times t of the path; the quaternions are times the length L of the path's time, the base
-    /// times L and the weight.
-    fn between(&self, times: [f64; 2], is_translation: bool) -> Arc<T> {
-        let [start, end] = &self.times;
-        let length = end.minus(start);
-        let [from, to] = &self.turns;
-        let turned = |t: f64| {
-            let t = T::of(t);
-            sum(&multiple(&end.minus(&t), from), &multiple(&t.minus(start), to))
-        };
-        let gone = |t: f64| {
-            let passed = T::of(t).minus(start);
-            [0, 1, 2].map(|k| length.times(&self.base[k]).plus(&passed.times(&self.travel[k])))
-        };
-        Arc {
-            turns: if is_translation { [from.clone(), from.clone()] } else { times.map(turned) },
-            base: times.map(gone),
-            arm: self.arm.each_ref().map(|c| length.times(c)),
-            weight: length.times(&self.weight),
-            is_translation,
         }
     }
 }

@@ -286,6 +286,22 @@ pub(crate) const POSE_ROUNDING: f64 = 256.0 * UNIT;
 /// between them is off by 16 u of 1, and the motion within it by as much of the size.
 pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
 
+/// Error of each coefficient of a gap between moving bodies in doubles, beside the sizes of its factors: 2^15 units.
+///
+/// The derivation is that of the file `motion/continuous/doubles`: magnitudes of 80 times the product of the sizes, of
+/// terms that go through at most 300 roundings each, are off by less than 24,000 units; the rest covers what is rounded
+/// in the bound and products of errors.
+pub(crate) const GAP_ROUNDING: f64 = 32_768.0 * UNIT;
+
+/// Error that a generator adds to such a coefficient, beside the sizes of its factors: it goes through one addition of
+/// 512.
+pub(crate) const GENERATOR_ROUNDING: f64 = 0.25 * UNIT;
+
+/// By how much the rounded cross product of a direction and a rounded unit vector may be off, beside the direction:
+/// the unit vector is off by [`ROUNDED_UNIT_VECTOR`] in each coordinate, which both terms of a coordinate have, and
+/// three roundings; three coordinates are added up.
+pub(crate) const MARGIN_AXIS_ROUNDING: f64 = 16.0 * ROUNDED_UNIT_VECTOR;
+
 /// The smallest positive double: no number that underflows is off by more.
 pub const SMALLEST: f64 = f64::from_bits(1);
 

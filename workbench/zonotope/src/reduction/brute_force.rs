@@ -22,12 +22,6 @@
 //! # Numerics
 //! Everything is exact.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Hand-worked examples; its simplicity.
 //!

@@ -40,9 +40,6 @@
 //! [`TooManyPatches`](super::ReductionError::TooManyPatches) ⇔ m > 2^31;
 //! [`OutOfRange`](super::ReductionError::OutOfRange) ⇔ a generator of B exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the check of the shares, in rationals.
 //!
@@ -59,7 +56,7 @@
 //! ```
 
 use super::answer::{Containment, Problem, Reduced, ReductionError, check_epsilon};
-use super::cells::{Cell, SIDE_LIMIT, cells, cells_counted};
+use super::cells::{Cell, SIDE_LIMIT, cells};
 use super::frame_cover::{Frame, covered};
 use super::keeping::order::scaled;
 use super::share_distance::ShareDistance;
@@ -86,7 +83,7 @@ pub fn patches<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, R
     let mut finest = Vec::new();
     let mut side = 1;
     while side <= COUNTED_SIDE_LIMIT {
-        let grid = cells(&vectors, side);
+        let grid = cells(&vectors, side, &mut ());
         if grid.len() + D > problem.count() {
             break;
         }
@@ -99,20 +96,14 @@ pub fn patches<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, R
 /// The reduction to a precision, relative to the diameter; the body itself where the patches would have no fewer
 /// generators.
 ///
+/// A read of a generator is counted each time that one is looked at (for its patch, for the sum of the patch, for what
+/// its share leaves), and a comparison for each that it takes to sort the patches.
+///
 /// # Errors
 /// [`ReductionError::BadEpsilon`] if ε is not in (0, 1), [`ReductionError::TooManyPatches`] if it needs too fine a
 /// grid, [`ReductionError::OutOfRange`] if a generator leaves the range of doubles.
-pub fn patches_within<const D: usize>(body: &Zonotope<D>, epsilon: f64) -> Result<Reduced<D>, ReductionError> {
-    patches_within_counted(body, epsilon, &mut ())
-}
-
-/// The same, counting a read of a generator each time that one is looked at (for its patch, for the sum of the patch,
-/// for what its share leaves), and a comparison for each that it takes to sort the patches.
-///
-/// # Errors
-/// Those of [`patches_within`].
 #[inline(never)]
-pub fn patches_within_counted<const D: usize>(
+pub fn patches_within<const D: usize>(
     body: &Zonotope<D>,
     epsilon: f64,
     tally: &mut dyn Tally,
@@ -126,7 +117,7 @@ pub fn patches_within_counted<const D: usize>(
     // D(A) is at least 2 c_D Σ |v|
     let part = 2.0 * mean_width(D) * epsilon;
     for side in [side as u32, (side + side / 1024.0) as u32 + 1] {
-        let reduced = projected(body, &vectors, &cells_counted(&vectors, side, tally))?;
+        let reduced = projected(body, &vectors, &cells(&vectors, side, tally))?;
         tally.add(Operation::GeneratorRead, 2 * vectors.len() as u64);
         if reduced.body.generators().len() >= body.generators().len() {
             break;

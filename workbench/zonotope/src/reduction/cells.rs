@@ -19,12 +19,9 @@ pub(super) struct Cell<const D: usize> {
 }
 
 /// The cells that hold generators, in the order of their places. O(n), and O(k log k) to sort k cells.
-pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32) -> Vec<Cell<D>> {
-    cells_counted(vectors, side, &mut ())
-}
-
-/// The same, counting a read for each generator and the comparisons of the sort.
-pub(super) fn cells_counted<const D: usize>(vectors: &[[f64; D]], side: u32, tally: &mut dyn Tally) -> Vec<Cell<D>> {
+///
+/// A read is counted for each generator, and the comparisons of the sort.
+pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32, tally: &mut dyn Tally) -> Vec<Cell<D>> {
     let mut numbers: HashMap<(usize, Place<D>), usize> = HashMap::new();
     let mut found: Vec<((usize, Place<D>), Vec<usize>)> = Vec::new();
     for (index, vector) in vectors.iter().enumerate() {

@@ -9,89 +9,36 @@ use super::keeping::by_combastel::combastel;
 use super::keeping::by_girard::girard;
 use super::keeping::by_pca::pca;
 use super::keeping::by_scott::scott;
+use crate::tables::methods;
 
-/// A rule that reduces a zonotope to a number of generators.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A rule that reduces a zonotope to a number of generators.
+    pub enum Method;
+    /// The cost for n generators that become k.
+    fn cost;
+
     /// [`by_clusters`](super::by_clusters), the default.
-    #[default]
-    Clusters,
+    Clusters => "cluster", "Cluster sums, fitted and scaled", "O(n k) a round, C(k, D − 1) passes for the proof";
     /// [`by_patches`](super::by_patches): Lemma 5.5.
-    Patches,
+    Patches => "lemma_5_5", "Patches of directions", "O(n log n)";
     /// [`by_girard`](super::keeping::by_girard).
-    Girard,
+    Girard => "girard", "Girard's rule", "O(n log n)";
     /// [`by_combastel`](super::keeping::by_combastel).
-    Combastel,
+    Combastel => "combastel", "Combastel's rule", "O(n log n)";
     /// [`by_pca`](super::keeping::by_pca).
-    Pca,
+    Pca => "pca", "A box along principal axes", "O(n log n)";
     /// [`by_scott`](super::keeping::by_scott).
-    Scott,
+    Scott => "scott", "A growing parallelepiped", "O(n (n − k))";
     /// [`by_adaptive`](super::keeping::by_adaptive).
-    Adaptive,
+    Adaptive => "adaptive", "A box within an error", "O(n log n)";
     /// The answer of the rule whose Hausdorff distance has the least upper bound.
-    Best,
+    Best => "best", "The best of the rules", "that of all rules and of their distances";
 }
 
 /// The bounds by which rules are compared differ by at most this part of them, where little work is enough for that.
 const COMPARED_WIDTH: f64 = 0.02;
 
 impl Method {
-    /// Every rule, the default first and the best of the others last.
-    pub const ALL: [Self; 8] = [
-        Self::Clusters,
-        Self::Patches,
-        Self::Girard,
-        Self::Combastel,
-        Self::Pca,
-        Self::Scott,
-        Self::Adaptive,
-        Self::Best,
-    ];
-
-    /// The name of the rule where questions name one.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Clusters => "cluster",
-            Self::Patches => "lemma_5_5",
-            Self::Girard => "girard",
-            Self::Combastel => "combastel",
-            Self::Pca => "pca",
-            Self::Scott => "scott",
-            Self::Adaptive => "adaptive",
-            Self::Best => "best",
-        }
-    }
-
-    /// The rule of an id.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The rule in a few words.
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::Clusters => "Cluster sums, fitted and scaled",
-            Self::Patches => "Patches of directions",
-            Self::Girard => "Girard's rule",
-            Self::Combastel => "Combastel's rule",
-            Self::Pca => "A box along principal axes",
-            Self::Scott => "A growing parallelepiped",
-            Self::Adaptive => "A box within an error",
-            Self::Best => "The best of the rules",
-        }
-    }
-
-    /// The cost for n generators that become k.
-    pub const fn cost(self) -> &'static str {
-        match self {
-            Self::Clusters => "O(n k) a round, C(k, D − 1) passes for the proof",
-            Self::Patches | Self::Girard | Self::Combastel | Self::Pca | Self::Adaptive => "O(n log n)",
-            Self::Scott => "O(n (n − k))",
-            Self::Best => "that of all rules and of their distances",
-        }
-    }
-
     /// A zonotope around the body with at most the given number of generators.
     ///
     /// # Errors

@@ -152,7 +152,7 @@ mod tests {
         ) {
             let body = Zonotope::new([0.0; 2], generators).expect("finite");
             let problem = Problem::new(&body, 3).expect("three are enough");
-            let answers = [Method::Girard.reduce(&problem), patches_within(&body, epsilon)];
+            let answers = [Method::Girard.reduce(&problem), patches_within(&body, epsilon, &mut ())];
             for reduced in answers.into_iter().flatten() {
                 let Containment::Shares(shares) = &reduced.proof else { continue };
                 let bound = ShareDistance::new(shares, &body, &reduced.body).bound();

@@ -51,7 +51,7 @@ fn every_rule_encloses<const D: usize>(generators: &[[f64; D]]) -> Result<(), Te
         }
     }
     for epsilon in [0.5, 0.01] {
-        for reduced in [patches_within(&inner, epsilon), adaptive_within(&inner, epsilon)] {
+        for reduced in [patches_within(&inner, epsilon, &mut ()), adaptive_within(&inner, epsilon)] {
             match reduced {
                 Ok(reduced) => encloses(&inner, &reduced, "to a precision")?,
                 Err(error) => prop_assert_eq!(error, ReductionError::OutOfRange),
@@ -103,10 +103,10 @@ fn what_is_asked_for_is_checked() {
     let cube = body(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]]);
     assert_eq!(Problem::new(&cube, 2).unwrap_err(), ReductionError::TooFew { count: 2, needed: 3 });
     for epsilon in [0.0, 1.0, -0.5, f64::NAN, f64::INFINITY] {
-        assert!(matches!(patches_within(&cube, epsilon), Err(ReductionError::BadEpsilon(_))));
+        assert!(matches!(patches_within(&cube, epsilon, &mut ()), Err(ReductionError::BadEpsilon(_))));
         assert!(matches!(adaptive_within(&cube, epsilon), Err(ReductionError::BadEpsilon(_))));
     }
-    assert!(matches!(patches_within(&cube, 1e-12), Err(ReductionError::TooManyPatches(_))));
+    assert!(matches!(patches_within(&cube, 1e-12, &mut ()), Err(ReductionError::TooManyPatches(_))));
     assert_eq!(Method::ALL.map(|method| Method::from_id(method.id())), Method::ALL.map(Some));
 }
 
@@ -125,7 +125,7 @@ fn patches_keep_the_precision() {
     let inner = body(&generators);
     let diameter = 2.0 * inner.support([0.0, 0.0, 1.0]).value();
     for epsilon in [0.5, 0.2, 0.1] {
-        let reduced = patches_within(&inner, epsilon).unwrap();
+        let reduced = patches_within(&inner, epsilon, &mut ()).unwrap();
         assert!(excess(&reduced.body, &inner, 0.01).upper <= epsilon * diameter);
     }
 }

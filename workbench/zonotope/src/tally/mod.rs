@@ -1,86 +1,45 @@
 //! Counting what an algorithm does: exact, machine-independent, free when unused.
 //!
-//! Every algorithm has a counted variant that takes a [`Tally`]. The unit type counts nothing and compiles to nothing;
+//! An algorithm that counts takes a [`Tally`]. The unit type counts nothing and compiles to nothing, `&mut ()`;
 //! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these
 //! numbers, never on times.
 
 mod reads;
 mod rung;
 
-use std::fmt;
+use crate::tables::named_variants;
 
 pub(crate) use reads::Reads;
 pub use rung::{Rung, Stage};
 
-/// What is counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Operation {
+named_variants! {
+    /// What is counted.
+    pub enum Operation;
     /// One line of an arrangement read and evaluated; divided by the number of lines: passes over the data.
-    LineEvaluation,
+    LineEvaluation => "line_evaluation";
     /// One line of a part of the input read and evaluated: of a sample, or of what is left when all other lines are
     /// summed up.
-    PartEvaluation,
+    PartEvaluation => "part_evaluation";
     /// Two keys (positions along a line, slopes, coordinates) compared in a sort, a merge or a selection.
-    Comparison,
+    Comparison => "comparison";
     /// One orientation test of three points.
-    Turn,
+    Turn => "turn";
     /// One point read by a pass over the points.
-    PointRead,
+    PointRead => "point_read";
     /// One generator read and evaluated; divided by the number of generators: passes over the data.
-    GeneratorRead,
+    GeneratorRead => "generator_read";
     /// One entry of a matrix read by a linear program: of its rows, of the inverse of its basis, or of the factors of
     /// an engine's equations.
-    EntryRead,
+    EntryRead => "entry_read";
     /// One step of an outer search: a line search, a vertical line, a cell.
-    SearchStep,
+    SearchStep => "search_step";
     /// One sign that floating point could not decide and exact arithmetic did.
-    ExactFallback,
+    ExactFallback => "exact_fallback";
     /// One stretch of time of which a method asked whether moving bodies are disjoint during it.
-    Stretch,
+    Stretch => "stretch";
     /// One value of the support function of a body along one direction; a question about bodies that stand counts the
     /// passes over the generators of each.
-    SupportEvaluation,
-}
-
-impl Operation {
-    /// All operations, in the order in which they are reported.
-    pub const ALL: [Self; 11] = [
-        Self::LineEvaluation,
-        Self::PartEvaluation,
-        Self::Comparison,
-        Self::Turn,
-        Self::PointRead,
-        Self::GeneratorRead,
-        Self::EntryRead,
-        Self::SearchStep,
-        Self::ExactFallback,
-        Self::Stretch,
-        Self::SupportEvaluation,
-    ];
-
-    /// The name used in records: lower-case words joined by underscores.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LineEvaluation => "line_evaluation",
-            Self::PartEvaluation => "part_evaluation",
-            Self::Comparison => "comparison",
-            Self::Turn => "turn",
-            Self::PointRead => "point_read",
-            Self::GeneratorRead => "generator_read",
-            Self::EntryRead => "entry_read",
-            Self::SearchStep => "search_step",
-            Self::ExactFallback => "exact_fallback",
-            Self::Stretch => "stretch",
-            Self::SupportEvaluation => "support_evaluation",
-        }
-    }
-}
-
-impl fmt::Display for Operation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
+    SupportEvaluation => "support_evaluation";
 }
 
 /// A counter of operations.

@@ -4,12 +4,12 @@
 //! one answered says nothing about the answer, all answers being exact; it says what the answer cost and whether a
 //! method earns its place.
 
-use std::fmt;
+use crate::tables::named_variants;
 
 /// The stage of a query in which a rung stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
-    /// A location that is told without an optimum: points far inside and far outside.
+    /// A location that is found without an optimum: points far inside and far outside.
     Early,
     /// The minimum of the support function over the plane of directions.
     Optimum,
@@ -17,150 +17,73 @@ pub enum Stage {
     Proof,
 }
 
-/// A method that answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Rung {
+named_variants! {
+    /// A method that answered; those of a stage in the order in which they are tried.
+    pub enum Rung;
     /// The least-squares coefficients of a small body, or the direction that they come from.
-    LeastSquares,
+    LeastSquares => "least_squares";
     /// The least-squares coefficients of a body in a plane through few axes.
-    LeastSquaresInPlane,
+    LeastSquaresInPlane => "least_squares_in_plane";
     /// A direction found from a sample, which separates.
-    SampledDirection,
+    SampledDirection => "sampled_direction";
     /// Coefficients steered by a sample and written in one pass.
-    StratifiedPass,
+    StratifiedPass => "stratified_pass";
     /// Coefficients of the Huber dual for all generators, clipped to [−1, 1].
-    ClippedCoefficients,
+    ClippedCoefficients => "clipped_coefficients";
     /// The displacement is zero.
-    ZeroDisplacement,
+    ZeroDisplacement => "zero_displacement";
     /// The best of all pairs of a few generators.
-    BestPair,
+    BestPair => "best_pair";
     /// All generators of a small body at once, in doubles.
-    AllInDoubles,
+    AllInDoubles => "all_in_doubles";
     /// Two of few classes of parallel generators meet in the optimum.
-    ParallelClasses,
+    ParallelClasses => "parallel_classes";
     /// The direction at which a sample's objective is least separates.
-    SeparatingGuess,
+    SeparatingGuess => "separating_guess";
     /// The cell around a sample's optimum.
-    SampledCell,
+    SampledCell => "sampled_cell";
     /// A second, wider cell.
-    WiderCell,
+    WiderCell => "wider_cell";
     /// The optimum of a sample whose gradient a pass over all generators corrects.
-    CorrectedSample,
+    CorrectedSample => "corrected_sample";
     /// Three pieces of the objective that close in on the optimum between them.
-    CuttingPlanes,
+    CuttingPlanes => "cutting_planes";
     /// Doubles prove the vertex but not on which side of it the displacement ends: its exact coordinates do.
-    ExactVertex,
+    ExactVertex => "exact_vertex";
     /// A flat body, without one of its coordinates.
-    FlatBody,
+    FlatBody => "flat_body";
     /// The generators that cross the search's cells, in exact arithmetic.
-    ExactInCells,
+    ExactInCells => "exact_in_cells";
     /// The longest generators alone, in exact arithmetic.
-    LongestFirst,
+    LongestFirst => "longest_first";
     /// All generators in exact arithmetic.
-    ExactWhole,
+    ExactWhole => "exact_whole";
     /// The direction of the facet, rounded.
-    RoundedDirection,
+    RoundedDirection => "rounded_direction";
     /// A direction of doubles found near the exact one.
-    DirectionOfDoubles,
+    DirectionOfDoubles => "direction_of_doubles";
     /// The exact direction: no direction of doubles near it separates.
-    RationalDirection,
+    RationalDirection => "rational_direction";
     /// Coefficients in doubles with a third generator beside the two of the facet.
-    RoundedCoefficients,
+    RoundedCoefficients => "rounded_coefficients";
     /// Coefficients in doubles with three generators that are not those of the facet.
-    WellSpreadBasis,
+    WellSpreadBasis => "well_spread_basis";
     /// One factor for all generators off a basis, in exact arithmetic.
-    ScaledSigns,
+    ScaledSigns => "scaled_signs";
     /// Coefficients that are made doubles one group after the other.
-    PivotedCoefficients,
+    PivotedCoefficients => "pivoted_coefficients";
 }
 
 impl Rung {
-    /// All rungs, each stage's in the order in which they are tried.
-    pub const ALL: [Self; 26] = [
-        Self::LeastSquares,
-        Self::LeastSquaresInPlane,
-        Self::SampledDirection,
-        Self::StratifiedPass,
-        Self::ClippedCoefficients,
-        Self::ZeroDisplacement,
-        Self::BestPair,
-        Self::AllInDoubles,
-        Self::ParallelClasses,
-        Self::SeparatingGuess,
-        Self::SampledCell,
-        Self::WiderCell,
-        Self::CorrectedSample,
-        Self::CuttingPlanes,
-        Self::ExactVertex,
-        Self::FlatBody,
-        Self::ExactInCells,
-        Self::LongestFirst,
-        Self::ExactWhole,
-        Self::RoundedDirection,
-        Self::DirectionOfDoubles,
-        Self::RationalDirection,
-        Self::RoundedCoefficients,
-        Self::WellSpreadBasis,
-        Self::ScaledSigns,
-        Self::PivotedCoefficients,
-    ];
-
-    /// The name used in records: lower-case words joined by underscores.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LeastSquares => "least_squares",
-            Self::LeastSquaresInPlane => "least_squares_in_plane",
-            Self::SampledDirection => "sampled_direction",
-            Self::StratifiedPass => "stratified_pass",
-            Self::ClippedCoefficients => "clipped_coefficients",
-            Self::ZeroDisplacement => "zero_displacement",
-            Self::BestPair => "best_pair",
-            Self::AllInDoubles => "all_in_doubles",
-            Self::ParallelClasses => "parallel_classes",
-            Self::SeparatingGuess => "separating_guess",
-            Self::SampledCell => "sampled_cell",
-            Self::WiderCell => "wider_cell",
-            Self::CorrectedSample => "corrected_sample",
-            Self::CuttingPlanes => "cutting_planes",
-            Self::ExactVertex => "exact_vertex",
-            Self::FlatBody => "flat_body",
-            Self::ExactInCells => "exact_in_cells",
-            Self::LongestFirst => "longest_first",
-            Self::ExactWhole => "exact_whole",
-            Self::RoundedDirection => "rounded_direction",
-            Self::DirectionOfDoubles => "direction_of_doubles",
-            Self::RationalDirection => "rational_direction",
-            Self::RoundedCoefficients => "rounded_coefficients",
-            Self::WellSpreadBasis => "well_spread_basis",
-            Self::ScaledSigns => "scaled_signs",
-            Self::PivotedCoefficients => "pivoted_coefficients",
-        }
-    }
-
     /// The stage in which the rung stands.
     pub fn stage(self) -> Stage {
-        match self {
-            Self::LeastSquares
-            | Self::LeastSquaresInPlane
-            | Self::SampledDirection
-            | Self::StratifiedPass
-            | Self::ClippedCoefficients => Stage::Early,
-            Self::RoundedDirection
-            | Self::DirectionOfDoubles
-            | Self::RationalDirection
-            | Self::RoundedCoefficients
-            | Self::WellSpreadBasis
-            | Self::ScaledSigns
-            | Self::PivotedCoefficients => Stage::Proof,
-            _ => Stage::Optimum,
+        if self <= Self::ClippedCoefficients {
+            Stage::Early
+        } else if self < Self::RoundedDirection {
+            Stage::Optimum
+        } else {
+            Stage::Proof
         }
-    }
-}
-
-impl fmt::Display for Rung {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

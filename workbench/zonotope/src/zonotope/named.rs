@@ -93,7 +93,7 @@ mod tests {
     use crate::zonotope::faces::{Faces, faces};
 
     fn check(body: &Zonotope<3>, counts: [usize; 3], facet_sizes: &[(usize, u64)]) {
-        let Ok(Faces::Solid(lattice)) = faces(body) else { unreachable!("named bodies are solid") };
+        let Ok(Faces::Solid(lattice)) = faces(body, &mut ()) else { unreachable!("named bodies are solid") };
         assert_eq!([lattice.vertex_count(), lattice.edge_count(), lattice.facet_count()], counts);
         let counted = combinatorics(body);
         assert_eq!([counted.vertices, counted.edges, counted.facets], counts.map(|count| count as u64));

@@ -78,7 +78,7 @@ fn approximated<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let epsilon = fields.number("epsilon")?;
     refuse_many(generators.len(), GENERATOR_LIMIT, Method::Patches)?;
     let body = Zonotope::new([0.0; D], generators).expect("the numbers of a question are finite");
-    Ok(result(&body, &patches_within(&body, epsilon).map_err(refusal)?))
+    Ok(result(&body, &patches_within(&body, epsilon, &mut ()).map_err(refusal)?))
 }
 
 fn refuse_many(generators: usize, most: usize, rule: Method) -> Result<(), Refusal> {

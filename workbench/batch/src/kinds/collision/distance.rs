@@ -51,9 +51,9 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
 fn in_space<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusal> {
     let [a, b] = [bodies[0].zonotope::<D>()?, bodies[1].zonotope::<D>()?];
     let query = Query::between(&a, &b);
-    let location = by_lad::locate(&query).with_nearest_basis(&query);
+    let location = by_lad::locate(&query, &mut ()).with_nearest_basis(&query);
     refuse_overlap(&location, query.len())?;
-    let found = proximity(&query);
+    let found = proximity(&query, &mut ());
     Ok(match (&found, contact(&query, &found)) {
         (Proximity::Disjoint(gap), _) => of_gap(gap, &Hidden::NONE, &location),
         (_, contact) => of_contact(contact, &penetration::of_query(&query), &Hidden::NONE, &location),
@@ -64,12 +64,12 @@ fn under_poses<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusa
     let [a, b] = [Posed::<D>::read(&bodies[0], "center")?, Posed::read(&bodies[1], "center")?];
     let prism = Prism::over(&a, &b);
     let (query, hidden) = (prism.query(), prism.hidden());
-    let location = hidden.location(&by_lad::locate(&query).with_nearest_basis(&query));
+    let location = hidden.location(&by_lad::locate(&query, &mut ()).with_nearest_basis(&query));
     refuse_overlap(&location, a.body.generators().len() + b.body.generators().len())?;
-    let found = proximity(&query);
+    let found = proximity(&query, &mut ());
     Ok(match (&found, contact(&query, &found)) {
         (Proximity::Disjoint(gap), _) => of_gap(gap, hidden, &location),
-        (_, contact) => of_contact(contact, &by_inner_polytope::penetration(&query), hidden, &location),
+        (_, contact) => of_contact(contact, &by_inner_polytope::penetration(&query, &mut ()), hidden, &location),
     })
 }
 

@@ -49,7 +49,7 @@ fn under_pose<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>)
     }
     let method = posed_method(method)?;
     let prism = Prism::over(&body, &Posed::of_point(q));
-    let gauge = by_lad::nearest_gauge(&prism.query_of(q));
+    let gauge = by_lad::nearest_gauge(&prism.query_of(q), &mut ());
     Ok(Solution { method, result: result(&prism.hidden().gauge(&gauge)) })
 }
 

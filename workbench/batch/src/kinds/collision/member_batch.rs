@@ -63,10 +63,10 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
             let message = format!("`{method}` does not answer in {dimension} dimensions; {BY_LAD} would");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
-        1 => in_space::<1>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
-        2 => in_space::<2>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
-        3 => in_space::<3>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
-        4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted)?,
+        1 => in_space::<1>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
+        2 => in_space::<2>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
+        3 => in_space::<3>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
+        4 => in_space::<4>(fields, by_lad_in_r4::gauge)?,
         other => return Err(refused("center", other, 4)),
     };
     let statuses: Value = answers.found.iter().map(|(status, _)| status.name()).collect();
@@ -108,7 +108,7 @@ fn under_pose<const D: usize>(fields: &Fields<'_>) -> Result<Answers, Refusal> {
     let prism = Prism::over(&body, &Posed::of_point([0.0; D]));
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
-        let gauge = by_lad::nearest_gauge_counted(&prism.query_of(point), &mut counts);
+        let gauge = by_lad::nearest_gauge(&prism.query_of(point), &mut counts);
         (gauge.location.status(), gauge.value)
     });
     Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })
@@ -120,7 +120,7 @@ fn by_direction_tree(fields: &Fields<'_>) -> Result<Answers, Refusal> {
     let tree = DirectionTree::new(&body);
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
-        let measured = tree.gauge_counted(point, &mut counts).expect("the numbers of a question are finite");
+        let measured = tree.gauge(point, &mut counts).expect("the numbers of a question are finite");
         (measured.location.status(), measured.nearest_value().0)
     });
     Ok(Answers { found: found.collect(), build: body.generators().len() as u64, query: total(&counts) })
@@ -136,10 +136,10 @@ fn by_cutting(fields: &Fields<'_>, seed: u64) -> Result<Answers, Refusal> {
     }
     let (mut build, mut counts) = (OperationCounts::default(), OperationCounts::default());
     let space = generators * generators.isqrt();
-    let prepared = PreparedByCutting::new_counted(body, space as u64, seed, &mut build)
+    let prepared = PreparedByCutting::new(body, space as u64, seed, &mut build)
         .expect("the space is between the number of generators and its square");
     let found = points.into_iter().map(|point| {
-        let facet = prepared.facet_counted(point, &mut counts).expect("the numbers of a question are finite");
+        let facet = prepared.facet(point, &mut counts).expect("the numbers of a question are finite");
         (facet.status(), facet.value().0)
     });
     Ok(Answers { found: found.collect(), build: total(&build), query: total(&counts) })

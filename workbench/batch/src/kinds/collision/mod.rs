@@ -119,7 +119,7 @@ fn locate_posed<const D: usize>(
     let method = posed_method(asked)?;
     let prism = Prism::over(first, second);
     let query = prism.query();
-    let location = by_lad::locate(&query).with_nearest_basis(&query);
+    let location = by_lad::locate(&query, &mut ()).with_nearest_basis(&query);
     Ok((method, prism.hidden().location(&location)))
 }
 

@@ -48,7 +48,7 @@ fn corners<const D: usize>(points: &[[f64; D]]) -> Option<Vec<usize>> {
     match D {
         2 => {
             let points: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
-            let hull = convex_hull(&points).ok()?;
+            let hull = convex_hull(&points, &mut ()).ok()?;
             let mut corners: Vec<usize> = hull.indices().iter().map(|index| index.get()).collect();
             corners.sort_unstable();
             Some(corners)

@@ -124,7 +124,7 @@ fn axis_box<const D: usize>(points: &[[f64; D]]) -> Size {
 
 /// The area of the convex hull.
 fn hull_area(points: &[[f64; 2]]) -> Option<f64> {
-    let hull = convex_hull(points).ok()?;
+    let hull = convex_hull(points, &mut ()).ok()?;
     let corners = hull.vertices();
     let first = corners[0];
     let double = |i: usize| {

@@ -19,7 +19,7 @@ pub(in crate::commands) fn mesh(name: &str, body: &Body, largest: f64) -> anyhow
         bail!("{name}: {} generators, at most {MESH_GENERATOR_LIMIT} are written as a mesh", body.generators.len());
     }
     let body = Zonotope::new(center, generators)?;
-    match faces(&body).with_context(|| name.to_owned())? {
+    match faces(&body, &mut ()).with_context(|| name.to_owned())? {
         Faces::Flat(lattice) | Faces::Solid(lattice) => {
             let is_in_range = |coordinate: &f64| coordinate.abs() <= largest;
             if !lattice.points().iter().flatten().all(is_in_range) {

@@ -47,12 +47,6 @@
 //! Which lines cross a trapezoid and in which one a point lies is exact over the whole range of doubles
 //! (`plane.rs`). The choice of cuts is made in doubles with bounds, the same on every machine.
 //!
-//! # Errors
-//! None: a [`LineArrangement`] is finite, and r is not zero by its type.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force): lists of lines, cover without overlap, location; the bounds on the families.
 //!
@@ -62,7 +56,7 @@
 //! use zonotope::arrangement::{LineArrangement, LineIndex, cutting::by_hierarchy};
 //! // The x-axis and the y-axis, not to be crossed: four quadrants. The wall along the y-axis is found first.
 //! let lines = LineArrangement::from_rows(&[[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]).unwrap();
-//! let cutting = by_hierarchy::cutting(&lines, NonZeroU32::new(3).unwrap(), 0);
+//! let cutting = by_hierarchy::cutting(&lines, NonZeroU32::new(3).unwrap(), 0, &mut ());
 //! assert_eq!((cutting.trapezoids().len(), cutting.total_crossings()), (4, 0));
 //! let found = cutting.locate([-5.0, 2.0]).unwrap();
 //! let quadrant = cutting.trapezoids()[found.0 as usize];
@@ -91,17 +85,9 @@ const FULL_ATTEMPT: u32 = 16;
 const ATTEMPT_LIMIT: u32 = 16;
 
 /// A (1/r)-cutting; `seed` decides which one.
-pub fn cutting<'a>(lines: &'a LineArrangement<'a>, r: NonZeroU32, seed: u64) -> Cutting<'a> {
-    cutting_counted(lines, r, seed, &mut ())
-}
-
-/// [`cutting`], counting its operations: a search step for each cut, a part evaluation for each line handed down.
-pub fn cutting_counted<'a>(
-    lines: &'a LineArrangement<'a>,
-    r: NonZeroU32,
-    seed: u64,
-    tally: &mut impl Tally,
-) -> Cutting<'a> {
+///
+/// A search step is counted for each cut, a part evaluation for each line handed down.
+pub fn cutting<'a>(lines: &'a LineArrangement<'a>, r: NonZeroU32, seed: u64, tally: &mut impl Tally) -> Cutting<'a> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let attempts = (FULL_ATTEMPT / r.get()).pow(2).clamp(1, ATTEMPT_LIMIT);
     let attempts = (0..attempts).map(|_| attempt(lines, r, &mut random, tally));

@@ -24,7 +24,7 @@ mod split_choice;
 mod subdivision;
 mod trapezoid;
 
-pub use by_hierarchy::{cutting, cutting_counted};
+pub use by_hierarchy::cutting;
 pub(crate) use parts::{Part, SearchStep};
 pub use subdivision::Cutting;
 pub use trapezoid::{Boundary, Trapezoid, TrapezoidIndex, Wall};

@@ -34,7 +34,7 @@ fn special_points(lines: &LineArrangement) -> Vec<[Dyadic; 3]> {
 
 fn check(rows: &[Row], r: u32, seed: u64) -> Result<(), TestCaseError> {
     let lines = arrangement(rows);
-    let cutting = cutting(&lines, parameter(r), seed);
+    let cutting = cutting(&lines, parameter(r), seed, &mut ());
     let trapezoids = cutting.trapezoids();
     let count = rows.iter().filter(|[a, b, _]| *a != 0.0 || *b != 0.0).count();
     prop_assert_eq!(cutting.limit(), count / r as usize);
@@ -130,7 +130,7 @@ proptest! {
 #[test]
 fn points_that_are_not_finite_or_at_infinity_are_in_no_trapezoid() {
     let lines = arrangement(&[[1.0, -1.0, 0.0]]);
-    let cutting = cutting(&lines, parameter(2), DEFAULT_SEED);
+    let cutting = cutting(&lines, parameter(2), DEFAULT_SEED, &mut ());
     assert_eq!(cutting.trapezoids().len(), 2);
     let error = cutting.locate([0.0, f64::NAN]).expect_err("a coordinate is no number");
     assert_eq!(error.to_string(), "the point's coordinate 1 is NaN, not a finite number");
@@ -142,7 +142,7 @@ fn points_that_are_not_finite_or_at_infinity_are_in_no_trapezoid() {
 fn without_lines_to_cut_there_is_one_trapezoid() {
     for (rows, r) in [(vec![], 5), (vec![[0.0, 0.0, 1.0]], 5), (vec![[1.0, 2.0, 3.0], [1.0, 0.0, 0.0]], 1)] {
         let lines = arrangement(&rows);
-        let cutting = cutting(&lines, parameter(r), DEFAULT_SEED);
+        let cutting = cutting(&lines, parameter(r), DEFAULT_SEED, &mut ());
         assert_eq!(cutting.trapezoids(), [Trapezoid { left: None, right: None, bottom: None, top: None }]);
         assert_eq!(cutting.locate([f64::MAX, f64::MIN]), Ok(TrapezoidIndex(0)));
     }
@@ -153,7 +153,7 @@ fn without_lines_to_cut_there_is_one_trapezoid() {
 fn questions_lead_where_the_point_is() {
     let rows: Vec<Row> = (0..40).map(|i| [f64::from(i * i % 17) - 8.0, 3.0, f64::from(i * 7 % 23) - 11.0]).collect();
     let lines = arrangement(&rows);
-    let cutting = cutting(&lines, parameter(8), DEFAULT_SEED);
+    let cutting = cutting(&lines, parameter(8), DEFAULT_SEED, &mut ());
     for [x, y] in [[0.5, 0.25], [-3.0, 7.5], [100.0, -3.0]] {
         let row = |line: LineIndex| rows[line.position()];
         let found = cutting.locate_by(|boundary| match boundary {
@@ -204,7 +204,7 @@ fn hard_lines_take_few_trapezoids() {
         for (name, rows) in hard_instances(n) {
             let lines = arrangement(&rows);
             let mut counts = OperationCounts::default();
-            let cutting = cutting_counted(&lines, parameter(r), 1, &mut counts);
+            let cutting = cutting(&lines, parameter(r), 1, &mut counts);
             let square = f64::from(r * r);
             let size = cutting.trapezoids().len() as f64 / square;
             let total = cutting.total_crossings() as f64 / (n as f64 * f64::from(r));
@@ -233,7 +233,7 @@ fn larger_cuttings_are_right() {
 fn the_same_seed_makes_the_same_cutting() {
     let (_, rows) = hard_instances(200).swap_remove(0);
     let lines = arrangement(&rows);
-    let [first, second, other] = [3, 3, 4].map(|seed| cutting(&lines, parameter(10), seed));
+    let [first, second, other] = [3, 3, 4].map(|seed| cutting(&lines, parameter(10), seed, &mut ()));
     assert_eq!(first.trapezoids(), second.trapezoids());
     assert_ne!(first.trapezoids(), other.trapezoids());
 }
@@ -243,7 +243,7 @@ fn the_same_seed_makes_the_same_cutting() {
 fn the_check_finds_flaws() {
     let (_, rows) = hard_instances(20).swap_remove(0);
     let lines = arrangement(&rows);
-    let cutting = cutting(&lines, parameter(4), DEFAULT_SEED);
+    let cutting = cutting(&lines, parameter(4), DEFAULT_SEED, &mut ());
     let list = |index: TrapezoidIndex| cutting.crossing_lines(index);
     let all = cutting.trapezoids();
     assert_eq!(brute_force::check(&lines, 5, all, list), Ok(()));

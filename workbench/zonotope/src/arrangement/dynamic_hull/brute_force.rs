@@ -32,9 +32,6 @@
 //! [`UpdateError::Absent`] ⇔ one is deleted that is not there;
 //! [`UpdateError::Unknown`] ⇔ the index is not below the number of sites.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Its simplicity; the vertices of both chains beside [`hull`](crate::hull).
 //!

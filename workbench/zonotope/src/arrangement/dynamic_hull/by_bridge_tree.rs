@@ -46,11 +46,8 @@
 //! [`UpdateError::Absent`](super::UpdateError::Absent) ⇔ one is deleted that is not there;
 //! [`UpdateError::Unknown`](super::UpdateError::Unknown) ⇔ the index is not below the number of sites.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
-//! [`brute_force`](super::brute_force) on all families, and the other methods on large ones.
+//! [`brute_force`](super::brute_force) on all families, and static hulls of large sets.
 //!
 //! # Example
 //! ```
@@ -68,11 +65,11 @@
 mod search;
 mod tree;
 
-pub use tree::BridgeTree;
+pub(super) use tree::BridgeTree;
 
-use super::chain::{ChainMethod, LocationTangent, PresentSites};
 use super::descent::{Step, extreme_step, tangent_step, tangent_to_site};
 use super::interface::Towards;
+use super::present_sites::{LocationTangent, PresentSites};
 use super::sites::{Direction, Site};
 use crate::numeric::orientation::Turn;
 use search::{bridge, touching};
@@ -121,8 +118,9 @@ fn replaces_end<S: Site>(sites: &PresentSites<S>, [p, q]: [u32; 2], location: u3
     }
 }
 
-impl<S: Site> ChainMethod<S> for BridgeTree {
-    fn build(sites: &PresentSites<S>) -> Self {
+impl BridgeTree {
+    /// The tree of the sites that are present.
+    pub(super) fn build<S: Site>(sites: &PresentSites<S>) -> Self {
         let mut tree = Self::vacant(sites.sites.location_count());
         for location in sites.locations() {
             let mut node = tree.leaves + location as usize;
@@ -144,7 +142,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         tree
     }
 
-    fn occupy(&mut self, sites: &PresentSites<S>, location: u32) {
+    /// A location has its first site.
+    pub(super) fn occupy<S: Site>(&mut self, sites: &PresentSites<S>, location: u32) {
         let mut node = self.leaves + location as usize;
         while node > 1 {
             let is_left = node.is_multiple_of(2);
@@ -165,7 +164,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         }
     }
 
-    fn vacate(&mut self, sites: &PresentSites<S>, location: u32) {
+    /// A location has lost its last site.
+    pub(super) fn vacate<S: Site>(&mut self, sites: &PresentSites<S>, location: u32) {
         let mut node = self.leaves + location as usize;
         let mut is_vacant = true;
         // the neighbours of the location on the chain of the part that was looked at last
@@ -198,7 +198,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         }
     }
 
-    fn extreme(&self, sites: &PresentSites<S>, direction: Direction) -> Option<u32> {
+    /// [`HullChain::extreme`](super::HullChain::extreme) among locations.
+    pub(super) fn extreme<S: Site>(&self, sites: &PresentSites<S>, direction: Direction) -> Option<u32> {
         let mut node = self.root(sites)?;
         loop {
             match self.descend(&mut node) {
@@ -214,7 +215,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         }
     }
 
-    fn tangent(&self, sites: &PresentSites<S>, from: &S, towards: Towards) -> LocationTangent {
+    /// [`HullChain::tangent`](super::HullChain::tangent) to locations.
+    pub(super) fn tangent<S: Site>(&self, sites: &PresentSites<S>, from: &S, towards: Towards) -> LocationTangent {
         let Some(mut node) = self.root(sites) else { return LocationTangent::Unbounded };
         loop {
             match self.descend(&mut node) {
@@ -233,7 +235,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         }
     }
 
-    fn vertices(&self, sites: &PresentSites<S>) -> Vec<u32> {
+    /// [`HullChain::vertices`](super::HullChain::vertices) among locations.
+    pub(super) fn vertices<S: Site>(&self, sites: &PresentSites<S>) -> Vec<u32> {
         let mut found = Vec::new();
         let mut rest: Vec<(usize, [u32; 2])> = self.root(sites).map(|root| (root, [0, VACANT])).into_iter().collect();
         while let Some((mut node, [from, to])) = rest.pop() {
@@ -252,7 +255,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         found
     }
 
-    fn bytes(&self) -> usize {
+    /// The bytes that are held beside the sites.
+    pub(super) fn bytes(&self) -> usize {
         self.bridges.capacity() * size_of::<[u32; 2]>()
     }
 }

@@ -1,12 +1,12 @@
 //! The decisions of a search along a chain: in which direction of an edge the answer lies.
 //!
 //! An edge of the hull of a part of the sites leads to that part's answer, whether or not the edge is one of the whole
-//! hull: so the same decisions serve a search through a list of vertices and a descent through the parts of a tree.
+//! hull: so the decisions serve a descent through the parts of a tree.
 
 use std::cmp::Ordering;
 
-use super::chain::LocationTangent;
 use super::interface::{Side, Towards};
+use super::present_sites::LocationTangent;
 use super::sites::{Direction, Site};
 
 /// On which side of an edge the search goes on; the end of the edge belongs to that side.

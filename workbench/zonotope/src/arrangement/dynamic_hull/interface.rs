@@ -23,7 +23,7 @@ pub enum Towards {
     Right,
 }
 
-/// Where a tangent touches a chain.
+/// The place at which a tangent touches a chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tangent {
     /// At this site: of several the farthest one, of equal ones that with the lowest index.

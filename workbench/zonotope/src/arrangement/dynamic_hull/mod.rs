@@ -24,26 +24,24 @@
 //! | method | update | query | what it is |
 //! |---|---|---|---|
 //! | [`brute_force`] | O(1) | O(n), exact rationals | the truth |
-//! | [`by_bridge_tree`] | O(log² n) | O(log n) | Overmars and van Leeuwen's, with bridges alone; the default |
-//! | [`by_logarithmic_method`] | insertion O(log n) amortised, deletion O(n) at worst | O(log² n) | blocks that know deletions only |
-//! | [`by_rebuilding`] | O(log h) off the chain, O(n) on it | O(log h) | the list of vertices, made anew when it is hit |
+//! | [`by_bridge_tree`] | O(log² n) | O(log n) | Overmars and van Leeuwen's, with bridges alone |
 //!
-//! n sites, h of them vertices. An orientation of three sites is the unit of time.
+//! n sites. An orientation of three sites is the unit of time.
 //!
 //! # Example
 //! The line y = 0 has y = 2 − x above it and y = x / 4 − 1 below it, at x = 0. To the right it meets the first one
 //! first.
 //! ```
 //! use std::sync::Arc;
-//! use zonotope::arrangement::dynamic_hull::{HullChain, Method, Side, Site, SlopedLine, SortedSites, Tangent, Towards};
-//! use zonotope::arrangement::dynamic_hull::SiteIndex;
+//! use zonotope::arrangement::dynamic_hull::{DynamicChain, HullChain, Side, Site, SlopedLine, SortedSites, Tangent};
+//! use zonotope::arrangement::dynamic_hull::{SiteIndex, Towards};
 //! use zonotope::numeric::orientation::Turn;
 //! // rows [a, b, c] of a x + b y + c = 0
 //! let line = SlopedLine::new;
 //! let lines = [line([0.0, 1.0, 0.0])?, line([1.0, 1.0, -2.0])?, line([-1.0, 4.0, 4.0])?];
 //! let sites = Arc::new(SortedSites::new(&lines)?);
-//! let mut above = Method::default().chain(sites.clone(), Side::Lower, [SiteIndex(1)])?;
-//! let below = Method::default().chain(sites, Side::Upper, [SiteIndex(2)])?;
+//! let mut above = DynamicChain::new(sites.clone(), Side::Lower, [SiteIndex(1)])?;
+//! let below = DynamicChain::new(sites, Side::Upper, [SiteIndex(2)])?;
 //! assert_eq!(above.tangent(&lines[0], Towards::Left), Tangent::Touches(SiteIndex(1)));
 //! assert_eq!(below.tangent(&lines[0], Towards::Right), Tangent::Touches(SiteIndex(2)));
 //! assert_eq!(Site::turn(&lines[1], &lines[0], &lines[2]), Turn::Right);
@@ -54,25 +52,18 @@
 
 pub mod brute_force;
 pub mod by_bridge_tree;
-pub mod by_logarithmic_method;
-pub mod by_rebuilding;
 mod chain;
 mod descent;
 mod interface;
-mod method;
+mod present_sites;
 mod sites;
-mod sorted_chain;
 
-pub use chain::Chain;
+pub use chain::DynamicChain;
 pub use interface::{HullChain, Side, Tangent, Towards, UpdateError};
-pub use method::Method;
 pub use sites::{
     Direction, DirectionError, MAX_SITES, PlanarPoint, Site, SiteIndex, SlopedLine, SlopedLineError, SortedSites,
     TooManySites,
 };
-
-/// One chain kept by the default method.
-pub type DynamicChain<S> = Chain<S, by_bridge_tree::BridgeTree>;
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! Every method beside the twin on small sets, a walk over an arrangement, growth of the counts, memory.
+//! The tree of bridges beside the twin on small sets, a walk over an arrangement, growth of the counts, memory.
 
 mod growth;
 mod walk;
@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 
+use super::brute_force::BruteForce;
 use super::*;
 use crate::numeric::non_finite::NonFinite;
 
@@ -18,7 +19,19 @@ fn planar(points: &[[f64; 2]]) -> Vec<PlanarPoint> {
     PlanarPoint::list(points).expect("the points are finite")
 }
 
-/// Updates and queries of every method beside those of the twin, on one chain.
+/// One chain by the tree of bridges and the same by the twin.
+fn chains<S: Site + 'static>(
+    sites: &Arc<SortedSites<S>>,
+    side: Side,
+    present: impl IntoIterator<Item = SiteIndex> + Clone,
+) -> Result<[Box<dyn HullChain<S>>; 2], UpdateError> {
+    Ok([
+        Box::new(DynamicChain::new(sites.clone(), side, present.clone())?),
+        Box::new(BruteForce::new(sites.clone(), side, present)?),
+    ])
+}
+
+/// Updates and queries of the tree of bridges beside those of the twin, on one chain.
 fn check<S: Site + 'static>(
     sites: &[S],
     side: Side,
@@ -27,8 +40,7 @@ fn check<S: Site + 'static>(
 ) -> Result<(), TestCaseError> {
     let (sorted, count) = (sorted(sites), sites.len() as u32);
     let start: Vec<SiteIndex> = (0..count).step_by(3).map(SiteIndex).collect();
-    let chain = |method: Method| method.chain(sorted.clone(), side, start.iter().copied()).expect("distinct indices");
-    let (mut truth, mut others) = (chain(Method::BruteForce), Method::ALL.map(|method| (method, chain(method))));
+    let [mut chain, mut truth] = chains(&sorted, side, start).expect("distinct indices");
     for &(is_insertion, number) in steps {
         // one index of them is unknown
         let site = SiteIndex(number % (count + 1));
@@ -39,13 +51,11 @@ fn check<S: Site + 'static>(
         let tangents = |chain: &dyn HullChain<S>| {
             from.map(|from| [Towards::Left, Towards::Right].map(|towards| chain.tangent(from, towards)))
         };
-        for (method, chain) in &mut others {
-            prop_assert_eq!(update(chain.as_mut()), outcome, "{:?}", method);
-            prop_assert_eq!((chain.len(), chain.contains(site)), (truth.len(), truth.contains(site)), "{:?}", method);
-            prop_assert_eq!(chain.vertices(), truth.vertices(), "{:?} {:?}", method, side);
-            prop_assert_eq!(extremes(chain.as_ref()), extremes(truth.as_ref()), "{:?} {:?}", method, side);
-            prop_assert_eq!(tangents(chain.as_ref()), tangents(truth.as_ref()), "{:?} {:?} {:?}", method, side, from);
-        }
+        prop_assert_eq!(update(chain.as_mut()), outcome);
+        prop_assert_eq!((chain.len(), chain.contains(site)), (truth.len(), truth.contains(site)));
+        prop_assert_eq!(chain.vertices(), truth.vertices(), "{:?}", side);
+        prop_assert_eq!(extremes(chain.as_ref()), extremes(truth.as_ref()), "{:?}", side);
+        prop_assert_eq!(tangents(chain.as_ref()), tangents(truth.as_ref()), "{:?} {:?}", side, from);
     }
     Ok(())
 }
@@ -87,14 +97,14 @@ proptest! {
     #![proptest_config(crate::property_cases::config(300))]
 
     #[test]
-    fn methods_agree_on_points(points in points(), steps in steps(), directions in directions()) {
+    fn the_twin_agrees_on_points(points in points(), steps in steps(), directions in directions()) {
         for side in [Side::Lower, Side::Upper] {
             check(&planar(&points), side, &steps, &directions)?;
         }
     }
 
     #[test]
-    fn methods_agree_on_lines(
+    fn the_twin_agrees_on_lines(
         rows in prop::collection::vec([coordinate(), coordinate(), coordinate()], 0..30),
         steps in steps(),
         directions in directions(),
@@ -108,10 +118,10 @@ proptest! {
     #[test]
     fn both_chains_of_the_twin_are_the_hull(points in points()) {
         let (sites, all) = (planar(&points), (0..points.len() as u32).map(SiteIndex));
-        let chain = |side| Method::BruteForce.chain(sorted(&sites), side, all.clone()).expect("distinct indices");
+        let chain = |side| BruteForce::new(sorted(&sites), side, all.clone()).expect("distinct indices");
         let [lower, upper] = [Side::Lower, Side::Upper].map(|side| chain(side).vertices());
         let around = lower.iter().chain(upper.iter().rev().skip(1)).map(|site| site.position());
-        let truth = crate::hull::convex_hull(&points).map(|hull| {
+        let truth = crate::hull::convex_hull(&points, &mut ()).map(|hull| {
             hull.indices().iter().map(|index| index.get()).collect::<Vec<_>>()
         });
         let turns = if lower.len() > 1 { lower.len() + upper.len() - 2 } else { lower.len() };
@@ -126,30 +136,29 @@ fn a_line_meets_an_envelope_where_hand_and_eye_say() {
     let [rising, falling] = [[1.0, -1.0, 0.0], [-1.0, -1.0, 0.0]];
     let lines = [rising, falling].map(|row| SlopedLine::new(row).expect("a line with a slope"));
     let line = |row: [f64; 3]| SlopedLine::new(row).expect("a line with a slope");
-    for method in Method::ALL {
-        let chain = method.chain(sorted(&lines), Side::Upper, [0, 1].map(SiteIndex)).expect("distinct indices");
+    for chain in chains(&sorted(&lines), Side::Upper, [0, 1].map(SiteIndex)).expect("distinct indices") {
         let ends = |row| [Towards::Left, Towards::Right].map(|towards| chain.tangent(&line(row), towards));
-        assert_eq!(ends([0.0, 1.0, -1.0]), [1, 0].map(|k| Tangent::Touches(SiteIndex(k))), "{method:?}");
-        assert_eq!(ends([0.0, 1.0, 1.0]), [Tangent::Hidden; 2], "{method:?}");
-        assert_eq!(ends([2.0, -1.0, -1.0]), [Tangent::Touches(SiteIndex(0)), Tangent::Unbounded], "{method:?}");
+        assert_eq!(ends([0.0, 1.0, -1.0]), [1, 0].map(|k| Tangent::Touches(SiteIndex(k))));
+        assert_eq!(ends([0.0, 1.0, 1.0]), [Tangent::Hidden; 2]);
+        assert_eq!(ends([2.0, -1.0, -1.0]), [Tangent::Touches(SiteIndex(0)), Tangent::Unbounded]);
         let at = |x| chain.extreme(Direction::at_abscissa(x).expect("a finite abscissa"));
-        assert_eq!([at(-3.0), at(0.0), at(3.0)], [1, 1, 0].map(|k| Some(SiteIndex(k))), "{method:?}");
+        assert_eq!([at(-3.0), at(0.0), at(3.0)], [1, 1, 0].map(|k| Some(SiteIndex(k))));
     }
 }
 
 #[test]
 fn what_is_refused() {
     let sites = planar(&[[0.0, 0.0], [1.0, 1.0]]);
-    for method in Method::ALL {
-        let repeated = method.chain(sorted(&sites), Side::Lower, [1, 1].map(SiteIndex)).err();
-        assert_eq!(repeated, Some(UpdateError::Present(SiteIndex(1))), "{method:?}");
-        let mut chain = method.chain(sorted(&sites), Side::Lower, [SiteIndex(1)]).expect("one index");
-        assert_eq!(chain.insert(SiteIndex(1)), Err(UpdateError::Present(SiteIndex(1))), "{method:?}");
-        assert_eq!(chain.delete(SiteIndex(0)), Err(UpdateError::Absent(SiteIndex(0))), "{method:?}");
+    let repeated = [1, 1].map(SiteIndex);
+    let refusal = Some(UpdateError::Present(SiteIndex(1)));
+    assert_eq!(DynamicChain::new(sorted(&sites), Side::Lower, repeated).err(), refusal);
+    assert_eq!(BruteForce::new(sorted(&sites), Side::Lower, repeated).err(), refusal);
+    for mut chain in chains(&sorted(&sites), Side::Lower, [SiteIndex(1)]).expect("one index") {
+        assert_eq!(chain.insert(SiteIndex(1)), Err(UpdateError::Present(SiteIndex(1))));
+        assert_eq!(chain.delete(SiteIndex(0)), Err(UpdateError::Absent(SiteIndex(0))));
         let unknown = Err(UpdateError::Unknown { site: SiteIndex(2), count: 2 });
-        assert_eq!((chain.insert(SiteIndex(2)), chain.delete(SiteIndex(2))), (unknown, unknown), "{method:?}");
-        assert_eq!(chain.vertices(), [SiteIndex(1)], "{method:?}");
-        assert_eq!(Method::from_id(method.id()), Some(method));
+        assert_eq!((chain.insert(SiteIndex(2)), chain.delete(SiteIndex(2))), (unknown, unknown));
+        assert_eq!(chain.vertices(), [SiteIndex(1)]);
     }
     assert!(matches!(PlanarPoint::new([0.0, f64::NAN]), Err(NonFinite { .. })));
     assert!(PlanarPoint::list(&[[0.0, 0.0], [f64::INFINITY, 0.0]]).is_err());

@@ -32,9 +32,6 @@
 //! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
 //! has the direction zero.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Every edge is found at two facets; the face lattice on all families.
 //!

@@ -40,9 +40,6 @@
 //! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
 //! has the direction zero.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the face lattice on all families; [`by_scan`](super::by_scan) on long walks.
 //!

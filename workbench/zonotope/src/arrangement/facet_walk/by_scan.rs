@@ -32,9 +32,6 @@
 //! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
 //! has the direction zero.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on all families; [`by_dynamic_hull`](super::by_dynamic_hull) on long walks.
 //!

@@ -5,56 +5,23 @@ use super::by_dynamic_hull::HullWalk;
 use super::by_scan::ScanWalk;
 use super::error::WalkError;
 use super::interface::FacetWalk;
+use crate::tables::methods;
 
-/// A method that walks from facet to facet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that walks from facet to facet.
+    pub enum Method;
+    /// The cost of one step among n generators in general position.
+    fn cost;
+
     /// [`by_dynamic_hull`](super::by_dynamic_hull), the paper's and the default.
-    #[default]
-    ByDynamicHull,
+    ByDynamicHull => "by_dynamic_hull", "Dynamic hulls of the dual lines", "O(log² n)";
     /// [`by_scan`](super::by_scan).
-    ByScan,
+    ByScan => "by_scan", "A pass over the generators", "O(n)";
     /// [`brute_force`](super::brute_force).
-    BruteForce,
+    BruteForce => "brute_force", "The list of all facets", "O(1) after O(n³)";
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: [Self; 3] = [Self::ByDynamicHull, Self::ByScan, Self::BruteForce];
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::ByDynamicHull => "by_dynamic_hull",
-            Self::ByScan => "by_scan",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::ByDynamicHull => "Dynamic hulls of the dual lines",
-            Self::ByScan => "A pass over the generators",
-            Self::BruteForce => "The list of all facets",
-        }
-    }
-
-    /// The cost of one step among n generators in general position.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::ByDynamicHull => "O(log² n)",
-            Self::ByScan => "O(n)",
-            Self::BruteForce => "O(1) after O(n³)",
-        }
-    }
-
     /// A walk over the facets of the zonotope of some generators, which starts at the facet of the first two that are
     /// not parallel.
     ///

@@ -146,7 +146,8 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::arrangement::dynamic_hull::{Method, Side, SiteIndex, SortedSites, Towards};
+    use crate::arrangement::dynamic_hull::brute_force::BruteForce;
+    use crate::arrangement::dynamic_hull::{DynamicChain, HullChain, Side, SiteIndex, SortedSites, Towards};
     use proptest::prelude::*;
 
     fn generator() -> impl Strategy<Value = [f64; 3]> {
@@ -177,14 +178,13 @@ mod tests {
             let lines: Vec<TiltedLine> = rows.into_iter().filter_map(TiltedLine::of).collect();
             let sites = Arc::new(SortedSites::new(&lines).expect("few"));
             for side in [Side::Lower, Side::Upper] {
-                let chain = |method: Method| {
-                    let all = (0..lines.len() as u32).map(SiteIndex);
-                    method.chain(sites.clone(), side, all).expect("distinct")
-                };
-                let [mut fast, mut truth] = [Method::ByBridgeTree, Method::BruteForce].map(chain);
+                let all = (0..lines.len() as u32).map(SiteIndex);
+                let mut fast = DynamicChain::new(sites.clone(), side, all.clone()).expect("distinct");
+                let mut truth = BruteForce::new(sites.clone(), side, all).expect("distinct");
                 for &(k, (p, q)) in &toggled {
                     let site = SiteIndex((k % lines.len()) as u32);
-                    for chain in [&mut fast, &mut truth] {
+                    let chains: [&mut dyn HullChain<TiltedLine>; 2] = [&mut fast, &mut truth];
+                    for chain in chains {
                         let update = if chain.contains(site) { chain.delete(site) } else { chain.insert(site) };
                         update.expect("a site is toggled");
                     }

@@ -28,9 +28,6 @@
 //! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
 //! vertex are one point.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Hand-worked examples; the areas of the tiles on the left.
 //!

@@ -34,9 +34,6 @@
 //! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
 //! vertex are one point.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) for every k, and the areas of the tiles on the left.
 //!
@@ -47,10 +44,10 @@
 //! // Q is the square [−1, 1]² turned by an eighth, its only tile; both sides lead from (0, 2) to (0, −2).
 //! let generators = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
 //! let dual = DualArrangement::new(&generators).unwrap();
-//! let side = |k| separator(&dual, k, 0).unwrap().points();
+//! let side = |k| separator(&dual, k, 0, &mut ()).unwrap().points();
 //! assert_eq!(side(0), [[0.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);
 //! assert_eq!(side(1), [[0.0, 2.0], [2.0, 0.0], [0.0, -2.0]]);
-//! assert!(separator(&dual, 2, 0).is_err());
+//! assert!(separator(&dual, 2, 0, &mut ()).is_err());
 //! ```
 
 use rand::SeedableRng;
@@ -66,15 +63,7 @@ use crate::tally::Tally;
 ///
 /// # Errors
 /// [`SeparatorError`] when k is above the number of tiles or falls within a facet of coplanar generators.
-pub fn separator(dual: &DualArrangement, k: u64, seed: u64) -> Result<Separator, SeparatorError> {
-    separator_counted(dual, k, seed, &mut ())
-}
-
-/// [`separator`], counting its operations.
-///
-/// # Errors
-/// [`SeparatorError`] when k is above the number of tiles or falls within a facet of coplanar generators.
-pub fn separator_counted(
+pub fn separator(
     dual: &DualArrangement,
     k: u64,
     seed: u64,

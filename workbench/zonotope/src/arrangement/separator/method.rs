@@ -2,58 +2,28 @@
 
 use super::{Separator, SeparatorError, brute_force, by_slope_selection};
 use crate::arrangement::DualArrangement;
+use crate::tables::methods;
 
-/// A method that finds a separator.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that finds a separator.
+    pub enum Method;
+    /// The cost for n generators.
+    fn cost;
+
     /// [`by_slope_selection`], the paper's and the default.
-    #[default]
-    BySlopeSelection,
+    BySlopeSelection => "by_slope_selection", "The k-th vertex, then the lines in order", "O(n log n) expected";
     /// [`brute_force`].
-    BruteForce,
+    BruteForce => "brute_force", "All vertices, sorted in rationals", "O(n² log n) in rationals";
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: [Self; 2] = [Self::BySlopeSelection, Self::BruteForce];
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::BySlopeSelection => "by_slope_selection",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::BySlopeSelection => "The k-th vertex, then the lines in order",
-            Self::BruteForce => "All vertices, sorted in rationals",
-        }
-    }
-
-    /// The cost for n generators.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::BySlopeSelection => "O(n log n) expected",
-            Self::BruteForce => "O(n² log n) in rationals",
-        }
-    }
-
     /// The separator with k tiles on its left. `seed` decides the time, never the separator.
     ///
     /// # Errors
     /// [`SeparatorError`] when k is above the number of tiles or falls within a facet of coplanar generators.
     pub fn separator(self, dual: &DualArrangement, k: u64, seed: u64) -> Result<Separator, SeparatorError> {
         match self {
-            Self::BySlopeSelection => by_slope_selection::separator(dual, k, seed),
+            Self::BySlopeSelection => by_slope_selection::separator(dual, k, seed, &mut ()),
             Self::BruteForce => brute_force::separator(dual, k),
         }
     }

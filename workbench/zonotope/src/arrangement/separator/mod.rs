@@ -23,7 +23,7 @@ mod method;
 
 use thiserror::Error;
 
-pub use by_slope_selection::{separator, separator_counted};
+pub use by_slope_selection::separator;
 pub use method::Method;
 
 use super::dual::Upward;

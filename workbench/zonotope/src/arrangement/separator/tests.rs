@@ -33,7 +33,7 @@ fn check(generators: &[[f64; 3]]) -> Result<(), TestCaseError> {
     let mut sum_left = Rational::ZERO;
     for k in 0..=tiles {
         let truth = brute_force::separator(&dual, k);
-        prop_assert_eq!(&by_slope_selection::separator(&dual, k, k), &truth, "k = {}", k);
+        prop_assert_eq!(&by_slope_selection::separator(&dual, k, k, &mut ()), &truth, "k = {}", k);
         if k > 0 {
             let pair = ordered[k as usize - 1].lines.map(|line| generators[line.position()]);
             sum_left += tile_area(pair);
@@ -49,10 +49,10 @@ fn check(generators: &[[f64; 3]]) -> Result<(), TestCaseError> {
             prop_assert_eq!(moved, Rational::from(2) * &sum_left, "k = {}", k);
         }
     }
-    let right_side = by_slope_selection::separator(&dual, tiles, 0).expect("a tiling has a right side");
+    let right_side = by_slope_selection::separator(&dual, tiles, 0, &mut ()).expect("a tiling has a right side");
     prop_assert_eq!(area - double_area(&right_side), Rational::from(2) * sum_left);
     let beyond = SeparatorError::Rank { k: tiles + 1, tiles };
-    prop_assert_eq!(by_slope_selection::separator(&dual, tiles + 1, 0), Err(beyond.clone()));
+    prop_assert_eq!(by_slope_selection::separator(&dual, tiles + 1, 0, &mut ()), Err(beyond.clone()));
     prop_assert_eq!(brute_force::separator(&dual, tiles + 1), Err(beyond));
     Ok(())
 }
@@ -104,9 +104,9 @@ proptest! {
 fn three_coplanar_generators_have_one_hexagon() {
     let generators = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
     let dual = DualArrangement::new(&generators).expect("finite");
-    let error = by_slope_selection::separator(&dual, 2, 0).expect_err("two of the three tiles");
+    let error = by_slope_selection::separator(&dual, 2, 0, &mut ()).expect_err("two of the three tiles");
     assert_eq!(error, SeparatorError::Coplanar { k: 2, generators: vec![0, 1, 2] });
-    assert!(by_slope_selection::separator(&dual, 3, 0).is_ok());
+    assert!(by_slope_selection::separator(&dual, 3, 0, &mut ()).is_ok());
 }
 
 #[test]
@@ -119,7 +119,7 @@ fn operations_grow_like_n_log_n() {
         let generators: Vec<[f64; 3]> = (0..count).map(|_| [0; 3].map(|_| random.random_range(-1.0..1.0))).collect();
         let dual = DualArrangement::new(&generators).expect("finite");
         let mut counts = OperationCounts::default();
-        separator_counted(&dual, dual.lines().vertex_count() / 2, 1, &mut counts).expect("general position");
+        separator(&dual, dual.lines().vertex_count() / 2, 1, &mut counts).expect("general position");
         let ratio = counts.get(Operation::Comparison) as f64 / (count * exponent) as f64;
         println!("n = 2^{exponent}: {ratio:.2} n log2 n comparisons");
         assert!(ratio < 30.0, "n = 2^{exponent}: {ratio}");

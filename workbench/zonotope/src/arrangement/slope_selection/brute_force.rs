@@ -25,9 +25,6 @@
 //! # Errors
 //! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Hand-worked examples; its simplicity.
 //!

@@ -1,51 +1,21 @@
 //! The methods of slope selection by name.
 
 use super::{ArrangementVertex, LineArrangement, SlopeSelectionError, brute_force, randomized, zero_based};
+use crate::tables::methods;
 
-/// A method that finds vertices by their ranks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that finds vertices by their ranks.
+    pub enum Method;
+    /// The cost of one rank among n lines.
+    fn cost;
+
     /// [`randomized`], the default.
-    #[default]
-    Randomized,
+    Randomized => "randomized", "Random pivots", "O(n log n) expected";
     /// [`brute_force`].
-    BruteForce,
+    BruteForce => "brute_force", "All vertices, sorted in rationals", "O(n² log n) in rationals";
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: [Self; 2] = [Self::Randomized, Self::BruteForce];
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Randomized => "randomized",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Randomized => "Random pivots",
-            Self::BruteForce => "All vertices, sorted in rationals",
-        }
-    }
-
-    /// The cost of one rank among n lines.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::Randomized => "O(n log n) expected",
-            Self::BruteForce => "O(n² log n) in rationals",
-        }
-    }
-
     /// The vertices with the given ranks, which count from 1. `seed` decides the time, never the abscissas.
     ///
     /// # Errors

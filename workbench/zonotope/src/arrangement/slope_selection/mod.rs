@@ -20,7 +20,7 @@ pub(crate) mod slab;
 use thiserror::Error;
 
 pub use method::Method;
-pub use randomized::{kth_leftmost_vertex, kth_leftmost_vertex_counted, kth_leftmost_vertices};
+pub use randomized::{kth_leftmost_vertex, kth_leftmost_vertices};
 
 use super::fraction::Fraction;
 use super::lines::LineArrangement;

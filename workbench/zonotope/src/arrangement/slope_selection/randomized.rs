@@ -39,9 +39,6 @@
 //! # Errors
 //! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), for every rank.
 //!
@@ -52,7 +49,7 @@
 //! // y = 0, y = x and y = 2 x − 2 cross at x = 0, 1 and 2.
 //! let rows = [[0.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, -1.0, -2.0]];
 //! let arrangement = LineArrangement::from_rows(&rows).unwrap();
-//! let middle = randomized::kth_leftmost_vertex(&arrangement, 2, 0).unwrap();
+//! let middle = randomized::kth_leftmost_vertex(&arrangement, 2, 0, &mut ()).unwrap();
 //! assert_eq!(middle.x(), 1.0);
 //! ```
 
@@ -74,18 +71,6 @@ const LISTED: u64 = 2;
 /// # Errors
 /// When `rank` is 0 or above the number of vertices.
 pub fn kth_leftmost_vertex(
-    arrangement: &LineArrangement,
-    rank: u64,
-    seed: u64,
-) -> Result<ArrangementVertex, SlopeSelectionError> {
-    kth_leftmost_vertex_counted(arrangement, rank, seed, &mut ())
-}
-
-/// [`kth_leftmost_vertex`], counting its operations.
-///
-/// # Errors
-/// When `rank` is 0 or above the number of vertices.
-pub fn kth_leftmost_vertex_counted(
     arrangement: &LineArrangement,
     rank: u64,
     seed: u64,

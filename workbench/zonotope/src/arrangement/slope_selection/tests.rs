@@ -11,7 +11,7 @@ fn check(rows: &[[f64; 3]]) -> Result<(), TestCaseError> {
     let truth: Vec<_> = brute_force::vertices(&arrangement).iter().map(ArrangementVertex::exact_x).collect();
     prop_assert_eq!(arrangement.vertex_count(), truth.len() as u64);
     for (rank, x) in (1..).zip(&truth) {
-        let vertex = randomized::kth_leftmost_vertex(&arrangement, rank, rank).expect("the rank exists");
+        let vertex = randomized::kth_leftmost_vertex(&arrangement, rank, rank, &mut ()).expect("the rank exists");
         prop_assert_eq!(&vertex.exact_x(), x, "rank {}", rank);
         let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
         let [numerator, _, denominator] = first.meet(&second).map(|v| v.to_rational());
@@ -25,7 +25,7 @@ fn check(rows: &[[f64; 3]]) -> Result<(), TestCaseError> {
     }
     for rank in [0, truth.len() as u64 + 1] {
         let error = SlopeSelectionError::Rank { rank, vertices: truth.len() as u64 };
-        prop_assert_eq!(randomized::kth_leftmost_vertex(&arrangement, rank, 0).err(), Some(error));
+        prop_assert_eq!(randomized::kth_leftmost_vertex(&arrangement, rank, 0, &mut ()).err(), Some(error));
         prop_assert_eq!(brute_force::kth_leftmost_vertex(&arrangement, rank).err(), Some(error));
         prop_assert_eq!(kth_leftmost_vertices(&arrangement, &[rank], 0).err(), Some(error));
     }
@@ -139,7 +139,7 @@ fn operations_grow_like_n_log_n() {
         let arrangement = LineArrangement::from_rows(&random_rows(count)).expect("finite lines");
         let mut counts = OperationCounts::default();
         let rank = arrangement.vertex_count() / 2;
-        kth_leftmost_vertex_counted(&arrangement, rank, 1, &mut counts).expect("the rank exists");
+        kth_leftmost_vertex(&arrangement, rank, 1, &mut counts).expect("the rank exists");
         let ratio = counts.get(Operation::Comparison) as f64 / (count * exponent) as f64;
         println!("n = 2^{exponent}: {ratio:.2} n log2 n comparisons, {counts:?}");
         assert!(ratio < 30.0, "n = 2^{exponent}: {ratio}");

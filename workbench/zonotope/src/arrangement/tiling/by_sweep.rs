@@ -30,9 +30,6 @@
 //! generators are parallel. [`TilingError::Coplanar`] ⇔ three generators, none vertical, are coplanar and their
 //! projections are not parallel.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The crate `verifier`, which builds the arrangement on its own; the separators.
 //!

@@ -39,7 +39,7 @@ fn check(generators: &[Vector]) -> Result<(), TestCaseError> {
                 [x, y]
             })
             .collect();
-        let selected = separator(&dual, k as u64, 0).expect("the generators are in general position");
+        let selected = separator(&dual, k as u64, 0, &mut ()).expect("the generators are in general position");
         prop_assert_eq!(&selected.exact_points, &points, "k = {}", k);
         prop_assert_eq!(Some(selected.generators), tiling.separator_generators(k), "k = {}", k);
     }

@@ -27,12 +27,6 @@
 //! The status is exact. The gauge is within the bound that comes with it. The basis is exact where
 //! [`Facet::is_sharp`] says so; else the ray leaves so near to an edge that doubles know the gauge and not the facet.
 //!
-//! # Errors
-//! None: the query was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The rational twin, by way of the gauge and the locations that are made from facets; an independent check of every
 //! proof.
@@ -43,10 +37,10 @@
 //! // the ray along (2, 0, 0) leaves the cube [−1, 1]³ through the side x = 1, half way
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let query = Query::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
-//! let facet = by_lad::facet(&query);
+//! let facet = by_lad::facet(&query, &mut ());
 //! assert_eq!(facet.value().0, 2.0);
 //! assert!(!facet.is_member());
-//! assert_eq!(facet.location().status().name(), "outside");
+//! assert_eq!(facet.location(&mut ()).status().name(), "outside");
 //! ```
 
 use crate::collision::proof::of_optimum;
@@ -60,7 +54,8 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
 
-/// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
+/// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status at once, the full
+/// proof on demand.
 #[derive(Debug)]
 pub struct Facet<'q> {
     query: &'q dyn KernelQuery,
@@ -96,29 +91,19 @@ impl<'q> Facet<'q> {
     }
 
     /// The gauge with where the displacement lies. O(n).
-    pub fn gauge(&self) -> Gauge<3> {
-        self.gauge_counted(&mut ())
-    }
-
-    /// [`gauge`](Self::gauge), counting its operations.
-    pub fn gauge_counted(&self, tally: &mut dyn Tally) -> Gauge<3> {
+    pub fn gauge(&self, tally: &mut dyn Tally) -> Gauge<3> {
         let (value, error) = self.value();
-        Gauge { value, error, location: self.location_counted(tally) }
+        Gauge { value, error, location: self.location(tally) }
     }
 
     /// [`gauge`](Self::gauge) within four units in the last place, counting its operations.
-    pub(super) fn nearest_gauge_counted(&self, tally: &mut dyn Tally) -> Gauge<3> {
+    pub(super) fn nearest_gauge(&self, tally: &mut dyn Tally) -> Gauge<3> {
         let (value, error) = nearest_gauge(self.query, &self.optimum, tally);
-        Gauge { value, error, location: self.location_counted(tally) }
+        Gauge { value, error, location: self.location(tally) }
     }
 
-    /// Where the displacement lies, with its proof. O(n) for a member, else O(1) nearly always.
-    pub fn location(&self) -> Location<3> {
-        self.location_counted(&mut ())
-    }
-
-    /// [`location`](Self::location), counting its operations.
-    pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
+    /// The location of the displacement, with its proof. O(n) for a member, else O(1) nearly always.
+    pub fn location(&self, tally: &mut dyn Tally) -> Location<3> {
         of_optimum::location(self.query, &self.optimum, tally)
     }
 

@@ -37,12 +37,6 @@
 //! [`nearest_gauge`] within four units in the last place; a gauge beyond the range of doubles is `f64::MAX` with
 //! infinite error.
 //!
-//! # Errors
-//! None: the query was validated when it was made.
-//!
-//! # Panics
-//! Never. More than four dimensions do not compile.
-//!
 //! # Checked by
 //! The rational twin on every family, the degenerate ones included; an independent check of every proof.
 //!
@@ -52,8 +46,8 @@
 //! // the cube [−1, 1]³ and the point (2, 0, 0)
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let query = Query::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
-//! assert_eq!(by_lad::locate(&query).status(), Status::Outside);
-//! assert_eq!(by_lad::gauge(&query).value, 2.0);
+//! assert_eq!(by_lad::locate(&query, &mut ()).status(), Status::Outside);
+//! assert_eq!(by_lad::gauge(&query, &mut ()).value, 2.0);
 //! ```
 
 pub(super) mod early;
@@ -77,19 +71,14 @@ use crate::zonotope::placed::Standing;
 ///
 /// Under poses the proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M
 /// g_i|.
-pub fn locate<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Location<D> {
-    locate_counted(query, &mut ())
-}
-
-/// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Location<D> {
+pub fn locate<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Location<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            return lowered(by_lad_in_r4::locate_counted(&query, &mut &mut *tally), query.len());
+            return lowered(by_lad_in_r4::locate(&query, &mut &mut *tally), query.len());
         }
         if let Some(scaled) = Scaled::of(&query) {
-            return locate_counted(&scaled.query(), tally);
+            return locate(&scaled.query(), tally);
         }
         if D < 3 {
             let prism = Prism::over(&query);
@@ -101,26 +90,16 @@ pub fn locate_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tall
 }
 
 /// The gauge of a displacement and where it lies.
-pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Gauge<D> {
-    gauge_counted(query, &mut ())
-}
-
-/// [`gauge`], counting its operations.
-pub fn gauge_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
-    measured(query, |facet, tally| facet.gauge_counted(tally), tally)
+pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
+    measured(query, |facet, tally| facet.gauge(tally), tally)
 }
 
 /// The gauge as answers of bodies have it: within four units in the last place, its proof with the doubles nearest to
 /// the coefficients of the basis ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
 ///
 /// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.
-pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Gauge<D> {
-    nearest_gauge_counted(query, &mut ())
-}
-
-/// [`nearest_gauge`], counting its operations.
-pub fn nearest_gauge_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
-    measured(query, |facet, tally| facet.nearest_gauge_counted(tally), tally).with_nearest_basis(query)
+pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
+    measured(query, |facet, tally| facet.nearest_gauge(tally), tally).with_nearest_basis(query)
 }
 
 /// The gauge of a displacement as a function reads it off the facet; one of R^4 as [`by_lad_in_r4`] has it.
@@ -133,7 +112,7 @@ fn measured<const D: usize, P: Standing>(
     let lower = |Gauge { value, error, location }| Gauge { value, error, location: lowered(location, query.len()) };
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
+            let Gauge { value, error, location } = by_lad_in_r4::gauge(&query, &mut &mut *tally);
             return Gauge { value, error, location: lowered(location, query.len()) };
         }
         if let Some(scaled) = Scaled::of(&query) {
@@ -149,11 +128,6 @@ fn measured<const D: usize, P: Standing>(
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)
 /// proof.
-pub fn facet<'q, P: Standing>(query: &'q Query<'q, 3, P>) -> Facet<'q> {
-    facet_counted(query, &mut ())
-}
-
-/// [`facet`], counting its operations.
-pub fn facet_counted<'q, P: Standing>(query: &'q Query<'q, 3, P>, tally: &mut dyn Tally) -> Facet<'q> {
+pub fn facet<'q, P: Standing>(query: &'q Query<'q, 3, P>, tally: &mut dyn Tally) -> Facet<'q> {
     Facet::find(query, tally)
 }

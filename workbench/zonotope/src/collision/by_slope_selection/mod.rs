@@ -47,12 +47,6 @@
 //! Every decision is exact: heights on a chain by sums of doubles with an error bound, then by exact sums; sides of an
 //! edge and of a facet by exact dyadic numbers. A separating direction is rounded only if it still separates.
 //!
-//! # Errors
-//! None: the question was validated when it was made.
-//!
-//! # Panics
-//! Never. More than three dimensions do not compile.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), [`by_lad`](super::by_lad), and the crate `verifier` on every answer.
 //!
@@ -62,9 +56,9 @@
 //! // the octagonal prism of two squares and a unit of height; (3, 0, z) is outside, (2, 0, 1) on an edge
 //! let prism = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let at = |point| Query::new([0.0; 3], point, &prism).unwrap();
-//! assert_eq!(by_slope_selection::locate(&at([3.0, 0.0, 0.0]), 0).status(), Status::Outside);
-//! assert_eq!(by_slope_selection::locate(&at([2.0, 1.0, 1.0]), 0).status(), Status::Boundary);
-//! assert_eq!(by_slope_selection::locate(&at([1.0, 1.0, 0.5]), 0).status(), Status::Inside);
+//! assert_eq!(by_slope_selection::locate(&at([3.0, 0.0, 0.0]), 0, &mut ()).status(), Status::Outside);
+//! assert_eq!(by_slope_selection::locate(&at([2.0, 1.0, 1.0]), 0, &mut ()).status(), Status::Boundary);
+//! assert_eq!(by_slope_selection::locate(&at([1.0, 1.0, 0.5]), 0, &mut ()).status(), Status::Inside);
 //! ```
 
 mod chain;
@@ -104,12 +98,7 @@ use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof; `seed` decides the time, never
 /// the answer.
-pub fn locate<const D: usize>(question: &Query<'_, D>, seed: u64) -> Location<D> {
-    locate_counted(question, seed, &mut ())
-}
-
-/// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize>(question: &Query<'_, D>, seed: u64, tally: &mut impl Tally) -> Location<D> {
+pub fn locate<const D: usize>(question: &Query<'_, D>, seed: u64, tally: &mut impl Tally) -> Location<D> {
     const { assert!(D <= 3, "the tiling of the plane answers up to three dimensions") }
     let prism = Prism::over(question);
     prism.lower(Search::new(&prism.query(), tally).locate(seed, tally, &mut ()))

@@ -14,11 +14,11 @@ fn check(generators: &[Vector], from: Vector, to: Vector) -> Result<(), TestCase
     let question = Query::new(from, to, generators).expect("the family is finite");
     let truth = brute_force::locate(&question);
     for seed in [0, 1] {
-        let location = locate(&question, seed);
+        let location = locate(&question, seed, &mut ());
         prop_assert_eq!(location.status(), truth.status());
         prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
     }
-    prop_assert_eq!(by_lad::locate(&question).status(), truth.status());
+    prop_assert_eq!(by_lad::locate(&question, &mut ()).status(), truth.status());
     Ok(())
 }
 
@@ -171,12 +171,12 @@ proptest! {
     #[test]
     fn the_plane_and_the_line(g in proptest::collection::vec([integer(2), integer(2)], 0..6), p in [-4i32..5, -4..5]) {
         let question = Query::new([0.0; 2], p.map(f64::from), &g).expect("finite");
-        let location = locate(&question, 0);
+        let location = locate(&question, 0, &mut ());
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
         prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
         let g: Vec<[f64; 1]> = g.iter().map(|v| [v[0]]).collect();
         let question = Query::new([0.0], [f64::from(p[0])], &g).expect("finite");
-        let location = locate(&question, 0);
+        let location = locate(&question, 0, &mut ());
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
         prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
     }
@@ -196,8 +196,8 @@ fn operations_grow_like_n_log_squared_n() {
         let point = [0.3, -0.2, 0.4].map(|c| c * count as f64 / 2.0);
         let question = Query::new([0.0; 3], point, &generators).expect("finite");
         let mut counts = OperationCounts::default();
-        let location = locate_counted(&question, 1, &mut counts);
-        assert_eq!(location.status(), by_lad::locate(&question).status());
+        let location = locate(&question, 1, &mut counts);
+        assert_eq!(location.status(), by_lad::locate(&question, &mut ()).status());
         let ratio = counts.get(Operation::Comparison) as f64 / (count * exponent * exponent) as f64;
         let steps = counts.get(Operation::SearchStep);
         println!("n = 2^{exponent}: {ratio:.2} n log2² n comparisons, {steps} vertical lines, {}", location.status());
@@ -233,8 +233,8 @@ fn structured_bodies_take_few_steps() {
             let top = generators.iter().fold([0.0; 3], |p, v| [0, 1, 2].map(|i| p[i] + v[i] * along(v).signum()));
             let question = Query::new([0.0; 3], top.map(|c| t * c), &generators).expect("finite");
             let mut counts = OperationCounts::default();
-            let location = locate_counted(&question, 0, &mut counts);
-            assert_eq!(location.status(), by_lad::locate(&question).status(), "{name}, {t}");
+            let location = locate(&question, 0, &mut counts);
+            assert_eq!(location.status(), by_lad::locate(&question, &mut ()).status(), "{name}, {t}");
             assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{name}, {t}");
             println!("{name}, {t}: {}, {counts:?}", location.status());
             assert!(counts.get(Operation::SearchStep) <= 2 * 3 * 18, "{name}, {t}: {counts:?}");
@@ -253,7 +253,7 @@ fn proofs_hold_close_to_the_boundary() {
         let middle = f64::midpoint(low, high);
         let middle = if middle <= low || middle >= high { low.next_up() } else { middle };
         let displacement = Query::new([0.0; 3], question(middle), &generators).expect("finite");
-        let location = locate(&displacement, 0);
+        let location = locate(&displacement, 0, &mut ());
         assert_eq!(check_location(&displacement, &location).proof().map(drop), Ok(()), "{location:?}");
         if location.is_member() { low = middle } else { high = middle }
     }
@@ -264,7 +264,7 @@ fn a_trace_tells_the_search() {
     let generators = body(12);
     let question = Query::new([0.0; 3], [0.4, 0.3, 0.2], &generators).expect("finite");
     let trace = trace(&question, 0);
-    assert_eq!(trace.location, locate(&question, 0));
+    assert_eq!(trace.location, locate(&question, 0, &mut ()));
     for hull in [Hull::Upper, Hull::Lower] {
         let steps: Vec<&SearchStep> = trace.steps.iter().filter(|step| step.hull == hull).collect();
         assert_eq!(steps[0].tiles_before, 66);

@@ -25,9 +25,6 @@
 //! # Numerics
 //! Exact rationals throughout.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
 //! # Panics
 //! If there are more than 20 generators, too many to finish.
 //!

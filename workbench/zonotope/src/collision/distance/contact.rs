@@ -159,7 +159,7 @@ mod tests {
 
     fn meeting<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>) -> Option<([f64; D], Option<[FeatureKind; 2]>)> {
         let query = Query::between(a, b);
-        let contact = contact(&query, &proximity(&query))?;
+        let contact = contact(&query, &proximity(&query, &mut ()))?;
         for body in [a, b] {
             let query = Query::of_point(contact.point, body).expect("finite");
             let off = brute_force::nearest_point(&query).squared_distance;
@@ -211,7 +211,7 @@ mod tests {
         let cube = body([0.0; 3], &CUBE);
         let turned = Pose::new([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [2.0, 0.5, 0.0]).expect("finite");
         let query = Query::of_placed(cube.at(&Pose::IDENTITY), cube.at(&turned));
-        let contact = contact(&query, &proximity(&query)).expect("they touch");
+        let contact = contact(&query, &proximity(&query, &mut ())).expect("they touch");
         assert_eq!(contact.point[0], 1.0);
         let kinds = contact.touching.map(|touching| touching.features.map(|feature| feature.kind));
         assert_eq!(kinds, Some([Facet, Facet]));

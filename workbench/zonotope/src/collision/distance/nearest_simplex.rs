@@ -32,6 +32,11 @@ impl<const D: usize> NearestSimplex<D> {
         self.count == D + 1
     }
 
+    /// Whether a point is one of the vertices.
+    pub fn has_vertex(&self, point: &[f64; D]) -> bool {
+        self.vertices[..self.count].contains(point)
+    }
+
     /// The square of the longest vertex.
     pub fn largest_square(&self) -> f64 {
         self.vertices[..self.count].iter().map(|v| dot(v, v)).fold(0.0, f64::max)

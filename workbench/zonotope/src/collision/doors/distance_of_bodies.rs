@@ -9,14 +9,14 @@ impl<const D: usize> Zonotope<D> {
     /// The Euclidean distance of two closed bodies, 0 where they meet; within two units in the last place. The points,
     /// faces and coefficients that prove it are those of [`proximity`](Self::proximity), and so is the cost.
     pub fn distance(&self, other: &Self) -> f64 {
-        by_support_simplex::proximity(&Query::between(self, other)).distance()
+        by_support_simplex::proximity(&Query::between(self, other), &mut ()).distance()
     }
 
     /// How near two closed bodies are: their distance with the points, faces and coefficients that prove it, or how
     /// they meet. In one to three dimensions; more do not compile. Expected O(n) for each of a few steps.
     pub fn proximity(&self, other: &Self) -> Proximity<D> {
         let query = Query::between(self, other);
-        by_support_simplex::proximity(&query).with_nearest_basis(&query)
+        by_support_simplex::proximity(&query, &mut ()).with_nearest_basis(&query)
     }
 
     /// How deep two bodies overlap: the length of the shortest translation after which they only touch, within a

@@ -11,26 +11,28 @@ use crate::collision::{
 };
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
+use crate::tables::methods;
 use crate::tally::Tally;
 use crate::zonotope::faces::FacesError;
 
-/// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
-/// alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that locates a displacement. The methods that need an engine exist with the feature
+    /// `linear-programming` alone.
+    pub enum Method;
+    /// The cost of a question with n generators.
+    fn cost;
+
     /// [`by_lad`], the default; in four dimensions it is [`by_lad_in_r4`](crate::collision::by_lad_in_r4).
-    #[default]
-    ByLad,
+    ByLad => "by_lad", "Kernel", "O(n) expected";
     /// [`by_slope_selection`], the paper's search.
-    BySlopeSelection,
+    BySlopeSelection => "by_slope_selection", "Theorem 5.2: the paper's search", "O(n log² n) expected";
     /// [`by_explicit_faces`].
-    ByExplicitFaces,
+    ByExplicitFaces => "by_explicit_faces", "Explicit faces", "Ω(n²)";
     /// [`by_linear_program`] with the engine [`Clarabel`].
     #[cfg(feature = "linear-programming")]
-    ByLinearProgram,
+    ByLinearProgram => "by_linear_program", "Linear program with a proof", "the engine's";
     /// [`brute_force`].
-    BruteForce,
+    BruteForce => "brute_force", "Every facet normal in rationals", "O(n^D) in rationals";
 }
 
 /// What a method finds out about a displacement.
@@ -75,61 +77,10 @@ impl<const D: usize> Finding<D> {
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: &[Self] = &[
-        Self::ByLad,
-        Self::BySlopeSelection,
-        Self::ByExplicitFaces,
-        #[cfg(feature = "linear-programming")]
-        Self::ByLinearProgram,
-        Self::BruteForce,
-    ];
-
     /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a
     /// proof. Above four dimensions that is brute force, whose cost grows with the power of the dimension.
     pub fn default_in(dimension: usize) -> Self {
         if Self::ByLad.dimensions().contains(&dimension) { Self::ByLad } else { Self::BruteForce }
-    }
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::ByLad => "by_lad",
-            Self::BySlopeSelection => "by_slope_selection",
-            Self::ByExplicitFaces => "by_explicit_faces",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "by_linear_program",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::ByLad => "Kernel",
-            Self::BySlopeSelection => "Theorem 5.2: the paper's search",
-            Self::ByExplicitFaces => "Explicit faces",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "Linear program with a proof",
-            Self::BruteForce => "Every facet normal in rationals",
-        }
-    }
-
-    /// The cost of a question with n generators.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::ByLad => "O(n) expected",
-            Self::BySlopeSelection => "O(n log² n) expected",
-            Self::ByExplicitFaces => "Ω(n²)",
-            #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => "the engine's",
-            Self::BruteForce => "O(n^D) in rationals",
-        }
     }
 
     /// The dimensions that the method works in.
@@ -171,15 +122,15 @@ impl Method {
     ) -> Result<Finding<D>, MethodError> {
         let located = match self {
             Self::ByLad => match D {
-                1 => asked_in::<1, D>(question, |question| by_lad::locate_counted(question, tally)),
-                2 => asked_in::<2, D>(question, |question| by_lad::locate_counted(question, tally)),
-                3 => asked_in::<3, D>(question, |question| by_lad::locate_counted(question, tally)),
-                _ => asked_in::<4, D>(question, |question| by_lad::locate_counted(question, tally)),
+                1 => asked_in::<1, D>(question, |question| by_lad::locate(question, tally)),
+                2 => asked_in::<2, D>(question, |question| by_lad::locate(question, tally)),
+                3 => asked_in::<3, D>(question, |question| by_lad::locate(question, tally)),
+                _ => asked_in::<4, D>(question, |question| by_lad::locate(question, tally)),
             },
             Self::BySlopeSelection => match D {
-                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
-                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
-                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
+                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
+                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
             },
             Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
             #[cfg(feature = "linear-programming")]
@@ -209,10 +160,10 @@ impl Method {
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
             Self::ByLad => match D {
-                1 => measured_in::<1, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                2 => measured_in::<2, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                3 => measured_in::<3, D>(question, |question| by_lad::gauge_counted(question, tally)),
-                _ => measured_in::<4, D>(question, |question| by_lad::gauge_counted(question, tally)),
+                1 => measured_in::<1, D>(question, |question| by_lad::gauge(question, tally)),
+                2 => measured_in::<2, D>(question, |question| by_lad::gauge(question, tally)),
+                3 => measured_in::<3, D>(question, |question| by_lad::gauge(question, tally)),
+                _ => measured_in::<4, D>(question, |question| by_lad::gauge(question, tally)),
             },
             Self::ByExplicitFaces => match D {
                 1 => explicit_gauge::<1, D>(question, tally)?,
@@ -234,9 +185,9 @@ impl Method {
     #[inline(never)]
     pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
         let by_kernel = match (self, D) {
-            (Self::ByLad, 1) => measured_in::<1, D>(question, by_lad::nearest_gauge),
-            (Self::ByLad, 2) => measured_in::<2, D>(question, by_lad::nearest_gauge),
-            (Self::ByLad, 3) => measured_in::<3, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 1) => measured_in::<1, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
+            (Self::ByLad, 2) => measured_in::<2, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
+            (Self::ByLad, 3) => measured_in::<3, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
             _ => None,
         };
         match by_kernel {
@@ -270,7 +221,7 @@ fn explicit_gauge<const E: usize, const D: usize>(
     tally: &mut dyn Tally,
 ) -> Result<Option<Gauge<D>>, MethodError> {
     let Some(question) = question.in_dimension::<E>() else { return Ok(None) };
-    let Gauge { value, error, location } = by_explicit_faces::gauge_counted(&question, &mut &mut *tally)?;
+    let Gauge { value, error, location } = by_explicit_faces::gauge(&question, &mut &mut *tally)?;
     Ok(Some(Gauge { value, error, location: in_same_dimension(location) }))
 }
 
@@ -297,7 +248,7 @@ mod tests {
         let generators: Vec<[f64; D]> =
             (0..D).map(|axis| std::array::from_fn(|other| if other == axis { 2.0 } else { 0.0 })).collect();
         let [outside, inside] = [[3.0; D], [1.0; D]];
-        for &method in Method::ALL {
+        for method in Method::ALL {
             for (point, is_inside) in [(outside, false), (inside, true)] {
                 let question = Query::new([0.0; D], point, &generators).expect("finite");
                 let found = method.locate(&question, 1, &mut ());
@@ -335,7 +286,7 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for &method in Method::ALL {
+        for method in Method::ALL {
             assert_eq!(Method::from_id(method.id()), Some(method));
         }
         assert_eq!(Method::from_id("by_luck"), None);

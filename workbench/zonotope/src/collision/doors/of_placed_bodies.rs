@@ -17,7 +17,7 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(locate(&Query::of_point_in(point, *self)?).is_member())
+        Ok(locate(&Query::of_point_in(point, *self)?, &mut ()).is_member())
     }
 
     /// Where a point lies relative to the body, with a proof in coefficients of the generators as they are stored, or a
@@ -27,7 +27,7 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
         let query = Query::of_point_in(point, *self)?;
-        Ok(locate(&query).with_nearest_basis(&query))
+        Ok(locate(&query, &mut ()).with_nearest_basis(&query))
     }
 
     /// How many times the body must be taken, from its centre, to hold a point. O(n) expected.
@@ -35,37 +35,37 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
-        Ok(nearest_gauge(&Query::of_point_in(point, *self)?))
+        Ok(nearest_gauge(&Query::of_point_in(point, *self)?, &mut ()))
     }
 
     /// Whether two closed bodies have a point in common where they stand, exactly. O(n) expected.
     pub fn intersects<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> bool {
-        locate(&self.query(other.into())).is_member()
+        locate(&self.query(other.into()), &mut ()).is_member()
     }
 
     /// How two bodies meet where they stand, with a proof. O(n) expected.
     pub fn intersection<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Location<3> {
         let query = self.query(other.into());
-        locate(&query).with_nearest_basis(&query)
+        locate(&query, &mut ()).with_nearest_basis(&query)
     }
 
     /// The Euclidean distance of two closed bodies where they stand, 0 where they meet; within two units in the last
     /// place. The cost is that of [`proximity`](Self::proximity).
     pub fn distance<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> f64 {
-        by_support_simplex::proximity(&self.query(other.into())).distance()
+        by_support_simplex::proximity(&self.query(other.into()), &mut ()).distance()
     }
 
     /// How near two closed bodies are where they stand, exactly for the poses as they are given. Expected O(n) for each
     /// of a few steps.
     pub fn proximity<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Proximity<3> {
         let query = self.query(other.into());
-        by_support_simplex::proximity(&query).with_nearest_basis(&query)
+        by_support_simplex::proximity(&query, &mut ()).with_nearest_basis(&query)
     }
 
     /// How deep two bodies overlap where they stand, within a hundredth. O(n) for each of some ten to some hundred
     /// vertices.
     pub fn penetration<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Penetration<3> {
-        by_inner_polytope::penetration(&self.query(other.into()))
+        by_inner_polytope::penetration(&self.query(other.into()), &mut ())
     }
 
     fn query<'q>(&self, other: Placed<'q, 3, P>) -> Query<'q, 3, P>

@@ -50,12 +50,6 @@
 //! kernel decides each question exactly. Which body goes down is decided in doubles, without the poses, and changes no
 //! answer.
 //!
-//! # Errors
-//! None: the bodies and poses were validated when they were made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`by_lad`] and [`brute_force`](crate::collision::brute_force) on all families, bodies that touch included; the crate
 //! `verifier` on every proof.
@@ -67,10 +61,10 @@
 //! let body = Zonotope::new([0.0; 3], generators.collect()).unwrap();
 //! let moved = body.translated([1e4, 0.0, 0.0]).unwrap();
 //! let [first, second] = [body, moved].map(Hierarchy::new);
-//! let descent = first.intersection(&second);
+//! let descent = first.intersection(&second, &mut ());
 //! // far apart, which the coarsest levels tell
 //! assert_eq!((descent.status(), descent.levels(), descent.visited()), (Status::Outside, [0, 0], 1));
-//! assert!(first.intersection(&first).visited() <= first.level_count() as u32);
+//! assert!(first.intersection(&first, &mut ()).visited() <= first.level_count() as u32);
 //! ```
 
 use super::levels::Hierarchy;
@@ -103,27 +97,14 @@ impl Hierarchy {
     }
 
     /// How two bodies meet as they stand.
-    pub fn intersection<'h>(&'h self, other: &'h Self) -> Descent<'h> {
-        self.intersection_counted(other, &mut ())
-    }
-
-    /// [`intersection`](Self::intersection), counting its operations.
-    pub fn intersection_counted<'h>(&'h self, other: &'h Self, tally: &mut dyn Tally) -> Descent<'h> {
-        self.placed().intersection_counted(&other.placed(), tally)
+    pub fn intersection<'h>(&'h self, other: &'h Self, tally: &mut dyn Tally) -> Descent<'h> {
+        self.placed().intersection(&other.placed(), tally)
     }
 }
 
 impl<'h, P: Standing> PlacedHierarchy<'h, P> {
     /// How two bodies meet where they stand.
-    pub fn intersection<'o>(&self, other: &PlacedHierarchy<'o, P>) -> Descent<'o, P>
-    where
-        'h: 'o,
-    {
-        self.intersection_counted(other, &mut ())
-    }
-
-    /// [`intersection`](Self::intersection), counting its operations.
-    pub fn intersection_counted<'o>(&self, other: &PlacedHierarchy<'o, P>, tally: &mut dyn Tally) -> Descent<'o, P>
+    pub fn intersection<'o>(&self, other: &PlacedHierarchy<'o, P>, tally: &mut dyn Tally) -> Descent<'o, P>
     where
         'h: 'o,
     {
@@ -266,7 +247,7 @@ impl<'h, P: Standing> Pair<'h, P> {
 
     /// How bodies in the places of the two meet.
     fn located(&self, bodies: [&PreparedBody; 2], tally: &mut dyn Tally) -> Location<3> {
-        by_lad::locate_counted(&self.query(bodies), tally)
+        by_lad::locate(&self.query(bodies), tally)
     }
 
     /// A location of the bodies themselves with the coefficients that a verifier takes.

@@ -41,12 +41,6 @@
 //! rounded up, so that outer bodies contain what they were made of exactly. Sums of cells are exact, or shortened by
 //! more than rounding took away; where the body is too thin for that, a level has no inner body.
 //!
-//! # Errors
-//! None: the body was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`reduction::contains`](crate::reduction::contains()), exactly, on bodies that it finishes; the answers that rest on
 //! the levels, by the kernel without them and the verifier.

@@ -59,8 +59,8 @@ fn levels_are_nested_and_as_few_as_they_say() {
 /// The answer is that of the kernel, and its proofs hold.
 fn check(first: &Hierarchy, second: &Hierarchy) -> u32 {
     let query = Query::between(first.body(), second.body());
-    let descent = first.intersection(second);
-    assert_eq!(descent.status(), by_lad::locate(&query).status());
+    let descent = first.intersection(second, &mut ());
+    assert_eq!(descent.status(), by_lad::locate(&query, &mut ()).status());
     let location = descent.location();
     assert_eq!(location.status(), descent.status());
     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
@@ -71,7 +71,7 @@ fn check(first: &Hierarchy, second: &Hierarchy) -> u32 {
         let [a, b] = descent.levels();
         let inner = [first.inner(a), second.inner(b)].map(|inner| inner.expect("a witness is about it").body());
         let query = Query::between(inner[0], inner[1]);
-        let of_levels = by_lad::locate(&query).status();
+        let of_levels = by_lad::locate(&query, &mut ()).status();
         let location = if of_levels == Status::Inside {
             Location::Inside(witness.clone())
         } else {
@@ -128,7 +128,7 @@ fn the_larger_body_goes_down_first() {
     let reach: f64 = large.generators().iter().map(|v| v[0].abs()).sum();
     let beside = Zonotope::new([1.02 * reach, 0.0, 0.0], small).expect("finite");
     let [large, small] = [large, beside].map(Hierarchy::new);
-    let levels = large.intersection(&small).levels();
+    let levels = large.intersection(&small, &mut ()).levels();
     assert!(levels[0] > levels[1] && levels[1] + 1 < small.level_count(), "{levels:?}");
 }
 
@@ -143,7 +143,7 @@ fn posed_bodies_meet_as_the_kernel_says() {
             let turned = Pose::from_axis_angle(axis, 1.0 + axis[0], axis.map(|c| c * away)).expect("finite");
             let flattened = Pose::new([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1.0, 2.0, 0.0]], axis).expect("finite");
             for [from, to] in [[Pose::IDENTITY, turned], [turned, flattened]] {
-                let descent = first.at(&from).intersection(&second.at(&to));
+                let descent = first.at(&from).intersection(&second.at(&to), &mut ());
                 let truth = first.body().at(&from).intersection(second.body().at(&to));
                 assert_eq!((descent.status(), descent.location().status()), (truth.status(), truth.status()));
                 assert!(descent.status() != Status::Outside || descent.separation().is_some());

@@ -29,9 +29,6 @@
 //! # Errors
 //! [`NonFinite`] if a coordinate of a point is NaN or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The kernel and the rational twin, on all families.
 //!
@@ -100,7 +97,7 @@ impl PreparedByFacets {
         } else if value + error < 1.0 {
             Status::Inside
         } else {
-            by_lad::locate(&query).status()
+            by_lad::locate(&query, &mut ()).status()
         })
     }
 
@@ -112,7 +109,7 @@ impl PreparedByFacets {
         let query = Query::of_point(point, &self.body)?;
         let (value, error) = self.estimate(&query);
         let is_known = error <= GAUGE_ACCURACY * value;
-        Ok(if is_known { (value, error) } else { by_lad::facet(&query).value() })
+        Ok(if is_known { (value, error) } else { by_lad::facet(&query, &mut ()).value() })
     }
 
     /// The gauge by a pass over the facets, with a bound on its error, which is infinite where there are none.

@@ -61,8 +61,8 @@ impl TightestFacet {
     pub(in crate::collision) fn coefficients(&self, point: &[Dyadic], generators: &[Vector]) -> Vec<Rational> {
         let Self { normal, along_point, along_zonotope } = self;
         let gauge = along_point.to_rational() / along_zonotope.to_rational();
-        // What the generators of the facet have to make up, times the denominator of the gauge, so that it stays
-        // dyadic.
+        // The part that the generators of the facet have to make up, times the denominator of the gauge, so that it
+        // stays dyadic.
         let mut left: Vector = point.iter().map(|v| v * along_zonotope).collect();
         let (mut coefficients, mut facet) = (vec![Rational::ZERO; generators.len()], Vec::new());
         for (i, generator) in generators.iter().enumerate() {

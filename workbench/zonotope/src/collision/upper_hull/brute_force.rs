@@ -27,9 +27,6 @@
 //! # Errors
 //! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Hand-worked examples; its simplicity.
 //!

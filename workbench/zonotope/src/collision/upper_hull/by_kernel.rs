@@ -26,9 +26,6 @@
 //! # Errors
 //! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and [`by_slope_selection`](super::by_slope_selection).
 //!
@@ -37,13 +34,13 @@
 //! use zonotope::collision::upper_hull::{Height, by_kernel};
 //! // the cube [−1, 1]³ with a slanted segment: its top goes up by a unit from x = −1 to x = 1
 //! let generators = [[1.0, 0.0, 0.5], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-//! assert_eq!(by_kernel::height(&generators, [0.0, 0.25]).unwrap(), Height::OverQ(1.into()));
-//! assert_eq!(by_kernel::height(&generators, [1.0, -1.0]).unwrap(), Height::OverQ("3/2".parse().unwrap()));
-//! assert!(matches!(by_kernel::height(&generators, [1.5, 0.0]).unwrap(), Height::BesideQ(_)));
+//! assert_eq!(by_kernel::height(&generators, [0.0, 0.25], &mut ()).unwrap(), Height::OverQ(1.into()));
+//! assert_eq!(by_kernel::height(&generators, [1.0, -1.0], &mut ()).unwrap(), Height::OverQ("3/2".parse().unwrap()));
+//! assert!(matches!(by_kernel::height(&generators, [1.5, 0.0], &mut ()).unwrap(), Height::BesideQ(_)));
 //! ```
 
 use super::{Height, HeightError, near_one_plane, validate};
-use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize_counted};
+use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize};
 use crate::seed::DEFAULT_SEED;
 use crate::tally::Tally;
 
@@ -51,22 +48,14 @@ use crate::tally::Tally;
 ///
 /// # Errors
 /// [`HeightError`] names the first coordinate that is not finite.
-pub fn height(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<Height, HeightError> {
-    height_counted(generators, p0, &mut ())
-}
-
-/// [`height`], counting its operations.
-///
-/// # Errors
-/// [`HeightError`] names the first coordinate that is not finite.
-pub fn height_counted(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Tally) -> Result<Height, HeightError> {
+pub fn height(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Tally) -> Result<Height, HeightError> {
     validate(generators, p0)?;
     if let Some(height) = near_one_plane::height(generators, p0, tally) {
         return Ok(height);
     }
     let lines: Vec<WeightedLine> = generators.iter().map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
     let problem = LadProblem::new(&lines, p0.map(|c| -c)).expect("the coordinates are finite, weights are 1");
-    Ok(match minimize_counted(&problem, DEFAULT_SEED, tally) {
+    Ok(match minimize(&problem, DEFAULT_SEED, tally) {
         LadOutcome::Optimal(optimum) => {
             Height::OverQ(optimum.exact_value(&problem).expect("the optimum is of this problem"))
         }

@@ -26,9 +26,6 @@
 //! # Errors
 //! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and [`by_kernel`](super::by_kernel).
 //!
@@ -37,7 +34,7 @@
 //! use zonotope::collision::upper_hull::{Height, by_slope_selection};
 //! // a roof: the ridge over y = 0 at height 1, the eaves over y = ±2 at height 0
 //! let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.5], [0.0, -1.0, 0.5]];
-//! let height = |p0| by_slope_selection::height(&generators, p0, 0).unwrap();
+//! let height = |p0| by_slope_selection::height(&generators, p0, 0, &mut ()).unwrap();
 //! assert_eq!(height([0.5, 0.0]), Height::OverQ(1.into()));
 //! assert_eq!(height([-1.0, 2.0]), Height::OverQ(0.into()));
 //! ```
@@ -52,20 +49,7 @@ use crate::tally::Tally;
 ///
 /// # Errors
 /// [`HeightError`] names the first coordinate that is not finite.
-pub fn height(generators: &[[f64; 3]], p0: [f64; 2], seed: u64) -> Result<Height, HeightError> {
-    height_counted(generators, p0, seed, &mut ())
-}
-
-/// [`height`], counting its operations.
-///
-/// # Errors
-/// [`HeightError`] names the first coordinate that is not finite.
-pub fn height_counted(
-    generators: &[[f64; 3]],
-    p0: [f64; 2],
-    seed: u64,
-    tally: &mut impl Tally,
-) -> Result<Height, HeightError> {
+pub fn height(generators: &[[f64; 3]], p0: [f64; 2], seed: u64, tally: &mut impl Tally) -> Result<Height, HeightError> {
     validate(generators, p0)?;
     let [x, y] = p0;
     let question = Query::new([0.0; 3], [x, y, 0.0], generators).expect("the coordinates are finite");

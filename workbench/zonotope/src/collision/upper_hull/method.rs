@@ -1,64 +1,31 @@
 //! The methods for the height of the upper hull by name.
 
 use super::{Height, HeightError, brute_force, by_kernel, by_slope_selection};
+use crate::tables::methods;
 
-/// A method that finds the height of the upper hull over a point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that finds the height of the upper hull over a point.
+    pub enum Method;
+    /// The cost for n generators.
+    fn cost;
+
     /// [`by_kernel`], the default.
-    #[default]
-    ByKernel,
+    ByKernel => "by_kernel", "Kernel", "O(n) expected";
     /// [`by_slope_selection`], the paper's search.
-    BySlopeSelection,
+    BySlopeSelection => "by_slope_selection", "The paper's search for the tile", "O(n log² n) expected";
     /// [`brute_force`].
-    BruteForce,
+    BruteForce => "brute_force", "All vertices of the dual arrangement in rationals", "O(n³) in rationals";
 }
 
 impl Method {
-    /// Every method, better ones first.
-    pub const ALL: [Self; 3] = [Self::ByKernel, Self::BySlopeSelection, Self::BruteForce];
-
-    /// The name of the method's file.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::ByKernel => "by_kernel",
-            Self::BySlopeSelection => "by_slope_selection",
-            Self::BruteForce => "brute_force",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::ByKernel => "Kernel",
-            Self::BySlopeSelection => "The paper's search for the tile",
-            Self::BruteForce => "All vertices of the dual arrangement in rationals",
-        }
-    }
-
-    /// The cost for n generators.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::ByKernel => "O(n) expected",
-            Self::BySlopeSelection => "O(n log² n) expected",
-            Self::BruteForce => "O(n³) in rationals",
-        }
-    }
-
     /// The height over p_0. `seed` decides the time, never the height.
     ///
     /// # Errors
     /// [`HeightError`] if a number is not finite or there are too many generators.
     pub fn height(self, generators: &[[f64; 3]], p0: [f64; 2], seed: u64) -> Result<Height, HeightError> {
         match self {
-            Self::ByKernel => by_kernel::height(generators, p0),
-            Self::BySlopeSelection => by_slope_selection::height(generators, p0, seed),
+            Self::ByKernel => by_kernel::height(generators, p0, &mut ()),
+            Self::BySlopeSelection => by_slope_selection::height(generators, p0, seed, &mut ()),
             Self::BruteForce => brute_force::height(generators, p0),
         }
     }

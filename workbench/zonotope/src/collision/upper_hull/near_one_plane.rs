@@ -5,7 +5,7 @@
 //! near that one, the offset a x + b y + c of a line is tiny, and pairs of doubles know it to its last digits.
 
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
-use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize, minimize_counted};
+use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
@@ -81,7 +81,7 @@ pub(super) fn height(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Tal
     let linear = linear.map(|c| c.scaled(-normal_scale));
     let exact = LinesAround { generators, center, normal_scale, offset_scale };
     let problem = LadProblem::from_exact_lines(columns, error, linear, Box::new(exact));
-    Some(match minimize_counted(&problem, DEFAULT_SEED, tally) {
+    Some(match minimize(&problem, DEFAULT_SEED, tally) {
         LadOutcome::Optimal(optimum) => {
             let value = optimum.exact_value(&problem).expect("the optimum is of this problem");
             let unit = Dyadic::new(1.into(), offset_scale).to_rational();
@@ -99,7 +99,7 @@ fn common_point(generators: &[[f64; 3]]) -> Option<[f64; 2]> {
     let sample = generators.iter().step_by(generators.len() / SAMPLE);
     let lines: Vec<WeightedLine> = sample.map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
     let problem = LadProblem::new(&lines, [0.0; 2]).ok()?;
-    let point = minimize(&problem, DEFAULT_SEED).into_optimum()?.point(&problem)?;
+    let point = minimize(&problem, DEFAULT_SEED, &mut ()).into_optimum()?.point(&problem)?;
     point.iter().all(|c| c.is_finite()).then_some(point)
 }
 
@@ -126,7 +126,7 @@ mod tests {
                 .collect();
             for p0 in [p0, p0.map(|c| 1e3 * c)] {
                 let found = height(&generators, p0, &mut ()).expect("the lines nearly meet");
-                let truth = by_slope_selection::height(&generators, p0, 1).expect("finite");
+                let truth = by_slope_selection::height(&generators, p0, 1, &mut ()).expect("finite");
                 prop_assert_eq!(matches!(found, Height::OverQ(_)), matches!(truth, Height::OverQ(_)));
                 if let (Height::OverQ(found), Height::OverQ(truth)) = (found, truth) {
                     prop_assert_eq!(found, truth);

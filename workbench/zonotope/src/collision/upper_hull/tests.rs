@@ -8,7 +8,7 @@ use crate::numeric::dyadic::Dyadic;
 
 fn check(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<(), TestCaseError> {
     let truth = brute_force::height(generators, p0).expect("finite");
-    let found = [by_kernel::height(generators, p0), by_slope_selection::height(generators, p0, 7)];
+    let found = [by_kernel::height(generators, p0, &mut ()), by_slope_selection::height(generators, p0, 7, &mut ())];
     for height in found.map(|height| height.expect("finite")) {
         match (&truth, &height) {
             (Height::OverQ(truth), Height::OverQ(height)) => prop_assert_eq!(truth, height),
@@ -88,8 +88,8 @@ proptest! {
 
 #[test]
 fn what_is_not_finite_is_refused() {
-    let error = height(&[[0.0, f64::NAN, 1.0]], [0.0; 2]).expect_err("a generator");
+    let error = height(&[[0.0, f64::NAN, 1.0]], [0.0; 2], &mut ()).expect_err("a generator");
     assert_eq!(error.to_string(), "generator 0, coordinate 1 is NaN, not a finite number");
-    let error = height(&[[0.0, 1.0, 1.0]], [0.0, f64::INFINITY]).expect_err("the point");
+    let error = height(&[[0.0, 1.0, 1.0]], [0.0, f64::INFINITY], &mut ()).expect_err("the point");
     assert_eq!(error.to_string(), "p0's coordinate 1 is inf, not a finite number");
 }

@@ -11,14 +11,14 @@ use crate::lad::kernel_input::ExactLines;
 fn ellipse(corners: u32, height: f64) -> ConvexHull {
     let angle = |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(corners);
     let points: Vec<[f64; 2]> = (0..corners).map(|k| [libm::cos(angle(k)), height * libm::sin(angle(k))]).collect();
-    convex_hull(&points).expect("the points are finite")
+    convex_hull(&points, &mut ()).expect("the points are finite")
 }
 
 #[test]
 fn certain_signs_are_those_of_exact_values() {
     for (corners, height) in [(30, 1.0), (64, 1.0), (31, 1e-6), (40, 1e-300)] {
         let hull = ellipse(corners, height);
-        let farthest = farthest_vertices(&hull);
+        let farthest = farthest_vertices(&hull, &mut ());
         let lines = Lines { hull: &hull, farthest: &farthest, frame: Bisectors::new(&hull, &farthest).frame };
         let count = hull.edge_count();
         let (mut told, mut asked) = (0, 0);
@@ -46,7 +46,7 @@ fn certain_signs_are_those_of_exact_values() {
 #[test]
 fn a_sum_of_edges_is_that_of_its_corners() {
     let hull = ellipse(12, 1.0);
-    let farthest = farthest_vertices(&hull);
+    let farthest = farthest_vertices(&hull, &mut ());
     let lines = Lines { hull: &hull, farthest: &farthest, frame: Bisectors::new(&hull, &farthest).frame };
     let signs = [1, 1, -1, -1, -1, 0, 1, 1, 1, 1, -1, 1];
     let mut terms = signs.into_iter().enumerate().filter(|(_, sign)| *sign != 0);
@@ -64,7 +64,7 @@ fn meeting_points_and_values_by_pairs_are_near_the_exact_ones() {
     let mut known = 0;
     for (corners, height) in [(5, 1.0), (7, 1e-300), (30, 1.0), (31, 1e-6), (64, 1e300)] {
         let hull = ellipse(corners, height);
-        let farthest = farthest_vertices(&hull);
+        let farthest = farthest_vertices(&hull, &mut ());
         let lines = Bisectors::new(&hull, &farthest).lines();
         let count = hull.edge_count();
         for t in 0..count {
@@ -91,7 +91,7 @@ fn meeting_points_and_values_by_pairs_are_near_the_exact_ones() {
 fn certain_rates_are_the_signs_of_exact_sums() {
     for (corners, height) in [(5, 1.0), (12, 1e-300), (31, 1e-6)] {
         let hull = ellipse(corners, height);
-        let farthest = farthest_vertices(&hull);
+        let farthest = farthest_vertices(&hull, &mut ());
         let lines = Bisectors::new(&hull, &farthest).lines();
         let count = hull.edge_count();
         for turned in 0..count {

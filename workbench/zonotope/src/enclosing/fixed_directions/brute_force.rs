@@ -32,12 +32,6 @@
 //! [`rational`](super::rational), the method that the others fall back on: that one takes vectors of minors for normals
 //! and solves the dual program by the simplex method.
 //!
-//! # Errors
-//! None: the problem is valid by construction.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Weak duality: primal and dual solution are feasible and have the same value; hand-worked examples; the paper's own
 //! program, in which no normal occurs.

@@ -52,9 +52,6 @@
 //! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. The
 //! constructor of the problem refuses all other input.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
@@ -63,7 +60,7 @@
 //! use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 //! let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
 //! let directions = [[1.0, 0.0], [0.0, 1.0], [1.0, -1.0]];
-//! let answer = min_length_along(&FixedDirections::new(&triangle, &directions, &[1.0, 1.0, 1.0])?)?;
+//! let answer = min_length_along(&FixedDirections::new(&triangle, &directions, &[1.0, 1.0, 1.0])?, &mut ())?;
 //! let zonogon = answer.optimal().expect("the directions span the plane");
 //! // the square [0, 2]² has c = (1, 1, 0), and nothing along these directions is cheaper
 //! assert!(zonogon.lower_bound <= 2.0 && 2.0 <= zonogon.value && zonogon.relative_gap() < 1e-12);
@@ -77,21 +74,12 @@ use crate::tally::Tally;
 
 /// The smallest zonotope along the directions around the points.
 ///
-/// # Errors
-/// When a coefficient of the answer exceeds the largest double.
-#[inline(never)]
-pub fn min_length_along<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-) -> Result<Enclosure<D>, FixedDirectionsError> {
-    min_length_along_counted(problem, &mut ())
-}
-
-/// Returns what [`min_length_along`] returns and counts points read and rounds.
+/// Points read and rounds are counted.
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
 #[inline(never)]
-pub fn min_length_along_counted<const D: usize>(
+pub fn min_length_along<const D: usize>(
     problem: &FixedDirections<'_, D>,
     tally: &mut dyn Tally,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {

@@ -58,7 +58,7 @@ pub(crate) use lower_bound::balanced;
 pub(crate) use row_generation::generation::Generation;
 pub(crate) use solve::{cheapest_center_along, contained};
 
-pub use by_row_generation::{min_length_along, min_length_along_counted};
+pub use by_row_generation::min_length_along;
 pub use method::Method;
 pub use problem::{FixedDirections, FixedDirectionsError};
 

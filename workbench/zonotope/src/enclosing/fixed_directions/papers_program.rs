@@ -28,9 +28,6 @@
 //! # Errors
 //! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
@@ -40,7 +37,7 @@
 //! use zonotope::linear_program::Clarabel;
 //! let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 4.0]];
 //! let problem = FixedDirections::new(&triangle, &[[1.0, 0.0], [0.0, 1.0]], &[1.0, 1.0])?;
-//! let answer = papers_program::min_length_by_papers_program(&problem, &Clarabel)?;
+//! let answer = papers_program::min_length_by_papers_program(&problem, &Clarabel, &mut ())?;
 //! // half the width and half the height
 //! assert!((answer.optimal().expect("feasible").value - 3.0).abs() < 1e-12);
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
@@ -74,21 +71,12 @@ pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Ve
 
 /// The smallest zonotope along the directions around the points, with the help of an engine.
 ///
-/// # Errors
-/// When a coefficient of the answer exceeds the largest double.
-pub fn min_length_by_papers_program<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-    engine: &dyn Engine,
-) -> Result<Enclosure<D>, FixedDirectionsError> {
-    min_length_by_papers_program_counted(problem, engine, &mut ())
-}
-
-/// The same, counting the points that the scan reads, and the entries that the engine does.
+/// The points that the scan reads are counted, and the entries that the engine does.
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
 #[inline(never)]
-pub fn min_length_by_papers_program_counted<const D: usize>(
+pub fn min_length_by_papers_program<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
     tally: &mut dyn Tally,

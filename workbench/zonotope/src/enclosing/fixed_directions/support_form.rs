@@ -26,9 +26,6 @@
 //! # Errors
 //! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
@@ -38,7 +35,7 @@
 //! use zonotope::linear_program::Clarabel;
 //! let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 //! let problem = FixedDirections::new(&diamond, &[[1.0, 1.0], [1.0, -1.0]], &[1.0, 1.0])?;
-//! let answer = support_form::min_length_by_support_form(&problem, &Clarabel)?;
+//! let answer = support_form::min_length_by_support_form(&problem, &Clarabel, &mut ())?;
 //! // the diamond itself: both coefficients are a half
 //! assert!((answer.optimal().expect("feasible").value - 1.0).abs() < 1e-12);
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
@@ -57,21 +54,12 @@ const TIGHTNESS_TOLERANCE: f64 = 1e-6;
 
 /// The smallest zonotope along the directions around the points, with the help of an engine.
 ///
-/// # Errors
-/// When a coefficient of the answer exceeds the largest double.
-pub fn min_length_by_support_form<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-    engine: &dyn Engine,
-) -> Result<Enclosure<D>, FixedDirectionsError> {
-    min_length_by_support_form_counted(problem, engine, &mut ())
-}
-
-/// The same, counting the points that are read along all normals, and the entries that the engine reads.
+/// The points that are read along all normals are counted, and the entries that the engine reads.
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
 #[inline(never)]
-pub fn min_length_by_support_form_counted<const D: usize>(
+pub fn min_length_by_support_form<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
     tally: &mut dyn Tally,

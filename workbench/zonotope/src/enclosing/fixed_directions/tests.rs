@@ -27,7 +27,7 @@ fn check<const D: usize>(
     let truth = brute_force::least_length(&problem);
     let in_rationals = rational::min_length_in_rationals(&problem).map(|optimum| optimum.value);
     prop_assert_eq!(&in_rationals, &truth.as_ref().map(|truth| truth.value.clone()));
-    let answer = match min_length_along(&problem) {
+    let answer = match min_length_along(&problem, &mut ()) {
         Err(error) => {
             prop_assert_eq!(error, FixedDirectionsError::OutOfRange);
             return Ok(());
@@ -182,7 +182,7 @@ fn the_best_centre_of_a_flat_zonotope_that_is_one_of_doubles() {
 fn a_point_is_the_centre_where_no_other_doubles_are_in_the_span() {
     let points = [[0.2, 0.6000000000000001], [0.1, 0.30000000000000004], [0.2, 0.6000000000000001]];
     let problem = FixedDirections::new(&points, &points[1..2], &[1.0]).expect("valid");
-    let answer = min_length_along(&problem).expect("in range");
+    let answer = min_length_along(&problem, &mut ()).expect("in range");
     assert_eq!(answer.optimal().map(|answer| (answer.value, answer.lower_bound)), Some((1.0, 0.5)));
     assert!(check_min_length_dirs_at_any_gap(&problem, &answer).is_right());
     assert!(!check_min_length_dirs(&problem, &answer).is_right(), "the gap is wide");

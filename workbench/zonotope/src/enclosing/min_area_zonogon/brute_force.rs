@@ -21,9 +21,6 @@
 //! # Numerics
 //! Everything is exact rational arithmetic; above the ground floor no code is shared with the methods.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If there are no points or a coordinate is not finite.
 //!

@@ -35,9 +35,6 @@
 //! # Errors
 //! [`MinAreaError::Points`] ⇔ no points, too many, or a coordinate that is not finite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
@@ -59,8 +56,8 @@ use super::rounded_center::{Kernel, RoundedCenter};
 use super::segment::around_segment;
 use crate::enclosing::answer::{Effort, Enclosing};
 use crate::enclosing::bisectors::Bisectors;
-use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
-use crate::hull::{ConvexHull, convex_hull_counted};
+use crate::hull::antipodal::{FarthestVertex, farthest_vertices};
+use crate::hull::{ConvexHull, convex_hull};
 use crate::lad::{self, LadOptimum};
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
@@ -76,11 +73,11 @@ pub fn min_area_by_kernel(
     seed: u64,
     tally: &mut impl Tally,
 ) -> Result<MinAreaZonogon, MinAreaError> {
-    let hull = convex_hull_counted(points, tally)?;
+    let hull = convex_hull(points, tally)?;
     if !hull.has_area() {
         return Ok(around_segment(hull));
     }
-    let farthest = farthest_vertices_counted(&hull, tally);
+    let farthest = farthest_vertices(&hull, tally);
     let bisectors = Bisectors::new(&hull, &farthest);
     let problem = bisectors.kernel_problem();
     let outcome = kernel.minimize(&problem, seed, tally);
@@ -113,7 +110,12 @@ struct Rounded {
 impl Rounded {
     fn around(center: &RoundedCenter, kernel: &Kernel, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
         let outward = center.outward(hull, farthest, &kernel.bisectors.frame);
-        let lower_bound = center.less_gap(kernel, outward.area_below).max(0.0);
+        let least = if outward.area_below < f64::MAX {
+            center.less_gap(kernel, outward.area_below)
+        } else {
+            center.exact_area_less_gap(kernel, hull, farthest)
+        };
+        let lower_bound = least.max(0.0);
         Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }
     }
 

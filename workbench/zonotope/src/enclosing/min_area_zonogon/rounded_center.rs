@@ -5,7 +5,7 @@
 //! basis, whose δ_t need not be a sign.
 
 use crate::enclosing::bisectors::{Bisectors, Frame, NearestCenter};
-use crate::enclosing::centered_zonogon::homogeneous;
+use crate::enclosing::centered_zonogon::{CenteredZonogon, homogeneous};
 use crate::enclosing::half_turn::HalfTurn;
 use crate::enclosing::outward::{Outward, round_outward};
 use crate::hull::ConvexHull;
@@ -116,6 +116,20 @@ impl RoundedCenter {
             }
             Gap::Exact(gap) => at_most(&(Dyadic::from_f64(area) - gap.clone())),
         }
+    }
+
+    /// The greatest double that is not above the area of Z(O) less the gap, for an area that doubles do not hold: the
+    /// gap may leave their range as well.
+    pub(super) fn exact_area_less_gap(&self, kernel: &Kernel, hull: &ConvexHull, farthest: &[FarthestVertex]) -> f64 {
+        let area = CenteredZonogon::new(hull, farthest, self.point, &mut ()).exact_area();
+        let gap = match &self.gap {
+            Gap::Near { kernel_point, .. } => {
+                let [x, y] = kernel_point.map(|pair| pair.to_dyadic());
+                kernel.exact_gap(&self.sides, &[x, y, Dyadic::one()])
+            }
+            Gap::Exact(gap) => gap.clone(),
+        };
+        at_most(&(area - gap))
     }
 
     /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth

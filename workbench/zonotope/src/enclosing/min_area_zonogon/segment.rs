@@ -47,6 +47,6 @@ pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
 /// The smallest zonogon with a centre around a segment, rounded outward, and its area, rounded up.
 fn rounded(hull: &ConvexHull, center: [f64; 2]) -> (Zonotope<2>, f64) {
     let frame = Bisectors::new(hull, &[]).frame;
-    let rounded = round_outward_exactly(&CenteredZonogon::new(hull, &[], center), &frame);
+    let rounded = round_outward_exactly(&CenteredZonogon::new(hull, &[], center, &mut ()), &frame);
     (rounded.zonogon, rounded.area_above)
 }

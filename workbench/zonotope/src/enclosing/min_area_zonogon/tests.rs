@@ -216,3 +216,13 @@ fn falsified_answers_are_rejected() {
     };
     rejected(&larger, "above the proven bound");
 }
+
+#[test]
+fn the_bound_of_an_area_beyond_the_doubles_is_the_largest_double() {
+    let points = [[0.3, 0.1], [1.7, -0.4], [0.9, 1.3], [-0.6, 0.7], [0.2, -1.1], [-1.3, -0.8]];
+    for scale in [1e155, 1e160, 1e200, 1e300, 1e307] {
+        let scaled = points.map(|point| point.map(|c| c * scale));
+        let answer = crate::enclosing::min_area(&scaled).expect("the points are finite");
+        assert_eq!((answer.value, answer.lower_bound), (f64::INFINITY, f64::MAX), "{scale:e}");
+    }
+}

@@ -1,60 +1,28 @@
 //! The registry of the methods, for callers that choose one by name.
 
 use super::answer::{MinLengthError, MinLengthZonotope};
-use super::by_direction_net::min_length_by_net_counted;
+use super::by_direction_net::min_length_by_net;
 use super::by_vertex_sets::min_length_by_vertex_sets;
 use crate::enclosing::min_total_length::direction_net::Net;
+use crate::tables::methods;
 use crate::tally::Tally;
 
-/// A method whose answers contain the points exactly and prove their lower bounds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method whose answers contain the points exactly and prove their lower bounds.
+    pub enum Method;
+    /// The cost for m points that have a multiplier, or for a precision ε, in d dimensions.
+    fn cost;
+
     /// [`by_vertex_sets`](super::by_vertex_sets), the default.
-    #[default]
-    VertexSets,
+    VertexSets => "by_column_generation", "Directions as they are needed",
+        "some ten to hundred steps of O((d m)³); in a plane some fifty convex hulls";
     /// [`by_direction_net`](super::by_direction_net) with [`Net::Cells`].
-    DirectionNet,
+    DirectionNet => "by_direction_net", "A net of cells", "O(ε^(−(d−1)/2)) directions";
     /// [`by_direction_net`](super::by_direction_net) with [`Net::Paper`].
-    PapersNet,
+    PapersNet => "by_papers_net", "The paper's net", "d (d/ε)^(d−1) directions";
 }
 
 impl Method {
-    /// Every method, the default first.
-    pub const ALL: [Self; 3] = [Self::VertexSets, Self::DirectionNet, Self::PapersNet];
-
-    /// The name of the method where questions name one.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::VertexSets => "by_column_generation",
-            Self::DirectionNet => "by_direction_net",
-            Self::PapersNet => "by_papers_net",
-        }
-    }
-
-    /// The method of an id.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The method in a few words.
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::VertexSets => "Directions as they are needed",
-            Self::DirectionNet => "A net of cells",
-            Self::PapersNet => "The paper's net",
-        }
-    }
-
-    /// The cost for m points that have a multiplier, or for a precision ε, in d dimensions.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::VertexSets => "some ten to hundred steps of O((d m)³); in a plane some fifty convex hulls",
-            Self::DirectionNet => "O(ε^(−(d−1)/2)) directions",
-            Self::PapersNet => "d (d/ε)^(d−1) directions",
-        }
-    }
-
     /// Whether the method works in a dimension: every method works in every dimension from 1 on.
     pub fn works_in(self, dimension: usize) -> bool {
         dimension >= 1
@@ -74,8 +42,8 @@ impl Method {
     ) -> Result<MinLengthZonotope<D>, MinLengthError> {
         match self {
             Self::VertexSets => min_length_by_vertex_sets(points, epsilon, tally),
-            Self::DirectionNet => min_length_by_net_counted(points, epsilon, Net::Cells, tally),
-            Self::PapersNet => min_length_by_net_counted(points, epsilon, Net::Paper, tally),
+            Self::DirectionNet => min_length_by_net(points, epsilon, Net::Cells, tally),
+            Self::PapersNet => min_length_by_net(points, epsilon, Net::Paper, tally),
         }
     }
 }

@@ -61,7 +61,8 @@ proptest! {
         let truth = in_the_plane::least_length(&points);
         for net in [Net::Paper, Net::Cells] {
             for epsilon in [0.5, 0.1, 0.03] {
-                let answer = by_direction_net::min_length_by_net(&points, epsilon, net).expect("finite points");
+                let answer = by_direction_net::min_length_by_net(&points, epsilon, net, &mut ());
+                let answer = answer.expect("finite points");
                 prop_assert!(answer.value <= (1.0 + epsilon) * truth + 1e-12);
                 prop_assert!(answer.lower_bound <= truth * (1.0 + 1e-11));
             }
@@ -178,7 +179,7 @@ fn what_is_refused() {
     assert_eq!(min_length::<2>(&[], 0.1), Err(MinLengthError::Empty));
     assert_eq!(min_length(&[[0.0]], 1.0), Err(MinLengthError::BadEpsilon(1.0)));
     assert!(matches!(min_length(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
-    let far = by_direction_net::min_length_by_net(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper);
+    let far = by_direction_net::min_length_by_net(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper, &mut ());
     assert!(matches!(far, Err(MinLengthError::TooManyDirections(_))));
 }
 

@@ -29,9 +29,6 @@
 //! # Errors
 //! `None` ⇔ the points do not span space, are too many for a hull, or a number is not finite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Boxes in turned positions, which are found to rounding.
 //!

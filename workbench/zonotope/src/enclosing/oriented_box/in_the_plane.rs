@@ -17,7 +17,7 @@ use crate::numeric::linear::dot;
 /// assert!(found.half_sides.iter().all(|half| (half - 0.5f64.sqrt()).abs() < 1e-15));
 /// ```
 pub fn smallest_rectangle(points: &[[f64; 2]]) -> Option<OrientedBox<2>> {
-    let hull = convex_hull(points).ok()?;
+    let hull = convex_hull(points, &mut ()).ok()?;
     let (corners, exponent) = in_units(hull.vertices());
     let rectangle = |i: usize| {
         let next = corners[(i + 1) % corners.len()];

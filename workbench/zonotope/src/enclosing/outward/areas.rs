@@ -77,9 +77,9 @@ mod tests {
             scale in prop_oneof![Just(1.0), Just(1e-160), Just(1e-310), Just(1e150), Just(1e307)],
         ) {
             let points: Vec<_> = points.iter().map(|point| point.map(|v| v * scale)).collect();
-            let hull = convex_hull(&points).expect("the points are finite");
-            let farthest = farthest_vertices(&hull);
-            let zonogon = CenteredZonogon::new(&hull, &farthest, center.map(|v| v * scale));
+            let hull = convex_hull(&points, &mut ()).expect("the points are finite");
+            let farthest = farthest_vertices(&hull, &mut ());
+            let zonogon = CenteredZonogon::new(&hull, &farthest, center.map(|v| v * scale), &mut ());
             prop_assert!(is_near(area_of_centered(&zonogon), &zonogon.exact_area()));
         }
 

@@ -21,12 +21,6 @@
 //! # Numerics
 //! All decisions are exact.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! This is the truth, by definition.
 //!
@@ -35,8 +29,8 @@
 //! use zonotope::hull::{antipodal, convex_hull};
 //!
 //! // the top edge is parallel to the bottom edge, the other two have one farthest vertex
-//! let trapezium = convex_hull(&[[0.0, 0.0], [4.0, 0.0], [3.0, 1.0], [1.0, 1.0]])?;
-//! let farthest = antipodal::brute_force::farthest_vertices(&trapezium);
+//! let trapezium = convex_hull(&[[0.0, 0.0], [4.0, 0.0], [3.0, 1.0], [1.0, 1.0]], &mut ())?;
+//! let farthest = antipodal::brute_force::farthest_vertices(&trapezium, &mut ());
 //! assert_eq!(farthest.iter().map(|s| (s.vertex().get(), s.is_tied())).collect::<Vec<_>>(),
 //!     [(2, true), (0, false), (0, true), (1, false)]);
 //! # Ok::<(), zonotope::hull::HullError>(())
@@ -48,12 +42,9 @@ use crate::numeric::orientation::{Turn, cross_sign_counted};
 use crate::tally::Tally;
 
 /// The farthest vertex of each edge.
-pub fn farthest_vertices(hull: &ConvexHull) -> Vec<FarthestVertex> {
-    farthest_vertices_counted(hull, &mut ())
-}
-
-/// [`farthest_vertices`], counting cross products.
-pub fn farthest_vertices_counted(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<FarthestVertex> {
+///
+/// Cross products are counted.
+pub fn farthest_vertices(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<FarthestVertex> {
     (0..hull.edge_count()).map(|edge| farthest_vertex(hull, VertexIndex::new(edge), tally)).collect()
 }
 

@@ -15,7 +15,7 @@
 pub mod brute_force;
 pub mod by_rotating_calipers;
 
-pub use by_rotating_calipers::{farthest_vertices, farthest_vertices_counted};
+pub use by_rotating_calipers::farthest_vertices;
 
 use super::polygon::VertexIndex;
 

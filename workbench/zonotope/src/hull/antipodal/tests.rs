@@ -9,14 +9,15 @@ proptest! {
 
     #[test]
     fn rotating_calipers_agree_with_brute_force(points in point_sets()) {
-        let hull = convex_hull(&points).expect("the points are finite");
-        prop_assert_eq!(by_rotating_calipers::farthest_vertices(&hull), brute_force::farthest_vertices(&hull));
+        let hull = convex_hull(&points, &mut ()).expect("the points are finite");
+        let found = by_rotating_calipers::farthest_vertices(&hull, &mut ());
+        prop_assert_eq!(found, brute_force::farthest_vertices(&hull, &mut ()));
     }
 }
 
 fn answers(points: &[[f64; 2]]) -> Vec<(usize, bool)> {
-    let hull = convex_hull(points).expect("the points are finite");
-    farthest_vertices(&hull).into_iter().map(|answer| (answer.vertex().get(), answer.is_tied())).collect()
+    let hull = convex_hull(points, &mut ()).expect("the points are finite");
+    farthest_vertices(&hull, &mut ()).into_iter().map(|answer| (answer.vertex().get(), answer.is_tied())).collect()
 }
 
 #[test]
@@ -57,17 +58,17 @@ fn large_hulls_agree_with_brute_force() {
         (0..500).map(|k| on_circle(k, 1000)).flat_map(|[x, y]| [[x, y], [-x, -y]]).collect(),
     ];
     for (number, points) in shapes.iter().enumerate() {
-        let hull = convex_hull(points).expect("the points are finite");
+        let hull = convex_hull(points, &mut ()).expect("the points are finite");
         assert!(hull.edge_count() > 500, "shape {number}");
-        assert_eq!(farthest_vertices(&hull), brute_force::farthest_vertices(&hull), "shape {number}");
+        assert_eq!(farthest_vertices(&hull, &mut ()), brute_force::farthest_vertices(&hull, &mut ()), "shape {number}");
     }
 }
 
 #[test]
 fn the_number_of_cross_products_is_linear() {
     let points: Vec<[f64; 2]> = (0..1000).map(|k| f64::from(k) - 500.0).map(|x| [x, x * x]).collect();
-    let hull = convex_hull(&points).expect("the points are finite");
+    let hull = convex_hull(&points, &mut ()).expect("the points are finite");
     let mut counts = crate::tally::OperationCounts::default();
-    farthest_vertices_counted(&hull, &mut counts);
+    farthest_vertices(&hull, &mut counts);
     assert!(counts.get(crate::tally::Operation::Turn) <= 1000 + 34 * 11);
 }

@@ -39,9 +39,6 @@
 //! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
 //! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the crate `verifier`.
 //!
@@ -50,7 +47,7 @@
 //! // a parabola, and as many points above it
 //! let parabola = (-500..=500).map(f64::from).map(|x| [x, x * x]);
 //! let points: Vec<_> = parabola.flat_map(|[x, y]| [[x, y], [x, y / 2.0 + 125_000.0]]).collect();
-//! let hull = zonotope::hull::by_discarding::convex_hull(&points)?;
+//! let hull = zonotope::hull::by_discarding::convex_hull(&points, &mut ())?;
 //! assert_eq!(hull.vertex_count(), 1001);
 //! assert_eq!(hull.vertices()[0], [-500.0, 250_000.0]);
 //! # Ok::<(), zonotope::hull::HullError>(())
@@ -82,23 +79,17 @@ const FINER_COLUMNS_FROM: usize = 1 << 15;
 
 /// The convex hull.
 ///
-/// # Errors
-/// See the module.
-pub fn convex_hull(points: &[[f64; 2]]) -> Result<ConvexHull, HullError> {
-    convex_hull_counted(points, &mut ())
-}
-
-/// [`convex_hull`], counting orientation tests and, for each pass, the points read.
+/// Orientation tests are counted and, for each pass, the points read.
 ///
 /// # Errors
 /// See the module.
-pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
+pub fn convex_hull(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
     check_count(points.len())?;
     tally.add(Operation::PointRead, points.len() as u64);
     let Some(bounds) = Bounds::of(points) else {
         // finite unless the pass over the box was wrong about it, and then the hull is still right
         NonFinite::check_list("point", points)?;
-        return super::by_monotone_chain::convex_hull_counted(points, tally);
+        return super::by_monotone_chain::convex_hull(points, tally);
     };
     let outside = if points.len() <= DIRECT_SORT_LIMIT {
         None

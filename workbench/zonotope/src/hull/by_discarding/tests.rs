@@ -43,9 +43,9 @@ fn large_instances_agree_and_verify() {
     for (name, shape) in SHAPES {
         for count in [1000, FINER_COLUMNS_FROM + 77] {
             let points = instance(shape, count, 5);
-            let hull = convex_hull(&points).expect("the points are finite");
+            let hull = convex_hull(&points, &mut ()).expect("the points are finite");
             assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()), "{name}, {count} points");
-            assert_eq!(by_monotone_chain::convex_hull(&points).as_ref(), Ok(&hull), "{name}, {count} points");
+            assert_eq!(by_monotone_chain::convex_hull(&points, &mut ()).as_ref(), Ok(&hull), "{name}, {count} points");
         }
     }
 }
@@ -66,9 +66,9 @@ proptest! {
         let points: Vec<[f64; 2]> =
             scaled.filter(|point| point.iter().all(|value| value.is_finite())).collect::<Vec<_>>().repeat(repeated);
         prop_assume!(!points.is_empty());
-        let hull = convex_hull(&points).expect("the points are finite");
+        let hull = convex_hull(&points, &mut ()).expect("the points are finite");
         prop_assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()));
-        prop_assert_eq!(by_monotone_chain::convex_hull(&points), Ok(hull));
+        prop_assert_eq!(by_monotone_chain::convex_hull(&points, &mut ()), Ok(hull));
     }
 }
 
@@ -77,7 +77,7 @@ proptest! {
 fn only_points_inside_are_discarded() {
     for (name, shape) in SHAPES {
         let points = instance(shape, 3000, 11);
-        let polygon = by_monotone_chain::convex_hull(&points[..300]).expect("the points are finite");
+        let polygon = by_monotone_chain::convex_hull(&points[..300], &mut ()).expect("the points are finite");
         let mut probes = points.clone();
         for at in 0..polygon.edge_count() {
             let [from, to] = polygon.edge(VertexIndex::new(at));
@@ -95,7 +95,7 @@ fn only_points_inside_are_discarded() {
             .map(|at| probes[at as usize])
             .collect();
         let with_discarded = [polygon.vertices(), &discarded].concat();
-        let hull = by_monotone_chain::convex_hull(&with_discarded).expect("the points are finite");
+        let hull = by_monotone_chain::convex_hull(&with_discarded, &mut ()).expect("the points are finite");
         assert_eq!(hull.vertices(), polygon.vertices(), "{name}");
     }
 }
@@ -104,7 +104,7 @@ fn only_points_inside_are_discarded() {
 fn most_points_of_a_disc_are_discarded() {
     let points = instance(|s, t| circle(s).map(|value| value * t.sqrt()), 100_000, 3);
     let mut counts = OperationCounts::default();
-    convex_hull_counted(&points, &mut counts).expect("the points are finite");
+    convex_hull(&points, &mut counts).expect("the points are finite");
     assert!(counts.get(Operation::Turn) < 20_000, "{counts:?}");
     assert!(counts.get(Operation::PointRead) < 250_000, "{counts:?}");
 }
@@ -113,6 +113,6 @@ fn most_points_of_a_disc_are_discarded() {
 fn a_circle_takes_four_passes() {
     let points = instance(|s, _| circle(s), 100_000, 3);
     let mut counts = OperationCounts::default();
-    convex_hull_counted(&points, &mut counts).expect("the points are finite");
+    convex_hull(&points, &mut counts).expect("the points are finite");
     assert_eq!(counts.get(Operation::PointRead), 400_000);
 }

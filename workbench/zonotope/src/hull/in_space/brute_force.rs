@@ -24,9 +24,6 @@
 //! # Errors
 //! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! This is the truth; solids whose facets are known, in the tests.
 //!

@@ -38,9 +38,6 @@
 //! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
 //! ⇔ more than [`MAX_POINTS`](crate::hull::MAX_POINTS) points.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force); that no point is above a triangle, and Euler's relation, in the tests.
 //!

@@ -34,7 +34,7 @@ pub fn hull_corners(points: &[[f64; 3]]) -> Result<Vec<usize>, HullError> {
     let [i, j] = shadow_axes.expect("points that differ do so along an axis, points off a line along two");
     let shadow: Vec<[f64; 2]> = points.iter().map(|p| [p[i], p[j]]).collect();
     let mut corners: Vec<usize> =
-        crate::hull::convex_hull(&shadow)?.indices().iter().map(|index| index.get()).collect();
+        crate::hull::convex_hull(&shadow, &mut ())?.indices().iter().map(|index| index.get()).collect();
     corners.sort_unstable();
     Ok(corners)
 }

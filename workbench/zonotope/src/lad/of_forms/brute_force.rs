@@ -22,12 +22,6 @@
 //! # Numerics
 //! Exact rationals throughout.
 //!
-//! # Errors
-//! None: a [`SpaceLadProblem`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Examples by hand; it checks the others.
 //!

@@ -32,12 +32,6 @@
 //! # Numerics
 //! Vertices are exact. Signs and slopes are decided by floating point where a bound on its error allows, else exactly.
 //!
-//! # Errors
-//! None: a [`SpaceLadProblem`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family, the crate `verifier` for certificates.
 //!
@@ -47,7 +41,7 @@
 //! let plane = |normal, offset| WeightedPlane { normal, offset, weight: 1.0 };
 //! let planes = vec![plane([1.0, 0.0, 0.0], -1.0), plane([0.0, 2.0, 0.0], -4.0), plane([0.0, 0.0, 1.0], 3.0)];
 //! let problem = SpaceLadProblem::new(planes, [0.5, 0.0, 0.0]).unwrap();
-//! let SpaceOutcome::Optimal(optimum) = minimize(&problem) else { panic!() };
+//! let SpaceOutcome::Optimal(optimum) = minimize(&problem, &mut ()) else { panic!() };
 //! assert_eq!(optimum.point, [1.into(), 2.into(), (-3).into()]);
 //! ```
 
@@ -68,12 +62,7 @@ use crate::tally::Tally;
 const SMALLEST_SAMPLED_PROBLEM: usize = 1024;
 
 /// Minimises a problem: a minimiser with its proof, or a direction in which the objective falls without end.
-pub fn minimize(problem: &SpaceLadProblem) -> SpaceOutcome {
-    minimize_counted(problem, &mut ())
-}
-
-/// [`minimize`], counting its operations.
-pub fn minimize_counted(problem: &SpaceLadProblem, tally: &mut impl Tally) -> SpaceOutcome {
+pub fn minimize(problem: &SpaceLadProblem, tally: &mut impl Tally) -> SpaceOutcome {
     let [x, y, z] = problem.linear().map(Dyadic::from_f64);
     let forms = problem.planes().iter().map(|plane| {
         let [a, b, c] = plane.normal;

@@ -27,7 +27,7 @@ mod problem;
 mod vector4;
 mod vertex;
 
-pub use by_line_search::{minimize, minimize_counted};
+pub use by_line_search::minimize;
 pub use outcome::{SpaceCertificate, SpaceOptimum, SpaceOutcome};
 pub use problem::{SpaceLadError, SpaceLadProblem, WeightedPlane};
 

@@ -8,7 +8,7 @@ use crate::interop::verifier::check_lad_of_forms;
 
 fn check(planes: Vec<WeightedPlane>, linear: [f64; 3]) -> Result<(), TestCaseError> {
     let problem = SpaceLadProblem::new(planes, linear).expect("the family makes finite planes");
-    let outcome = minimize(&problem);
+    let outcome = minimize(&problem, &mut ());
     prop_assert_eq!(check_lad_of_forms(&problem, &outcome).proof().map(drop), Ok(()), "{:?}", outcome);
     let value = match outcome {
         SpaceOutcome::Optimal(optimum) => Some(optimum.value),
@@ -108,7 +108,7 @@ fn large_instances_are_solved_and_verified() {
             .collect();
         let problem = SpaceLadProblem::new(planes, [3.0, -20.0, 1.5]).expect("finite planes");
         let mut counts = crate::tally::OperationCounts::default();
-        let outcome = minimize_counted(&problem, &mut counts);
+        let outcome = minimize(&problem, &mut counts);
         assert_eq!(check_lad_of_forms(&problem, &outcome).proof().map(drop), Ok(()));
         let passes = counts.get(crate::tally::Operation::LineEvaluation) / 3000;
         assert!(passes < 100, "{counts:?}");

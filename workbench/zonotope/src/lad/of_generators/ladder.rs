@@ -11,12 +11,15 @@
 //! | `AllInDoubles` | at most [`WHOLE_LIMIT`] generators | `FlatBody` |
 //! | `ParallelClasses` | more, of few directions as far as a sample shows | `CorrectedSample` |
 //! | `SeparatingGuess` | a sample has a smooth optimum, and the location is all that is asked | `SampledCell` |
-//! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` where the optimum seems near, else as below |
+//! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` where the optimum seems
+//! near, else as below |
 //! | `WiderCell` | once | `CorrectedSample`; `ParallelClasses` where no sample was drawn |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
-//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `CuttingPlanes` of more than [`WHOLE_LIMIT`] generators, else `ExactVertex` |
+//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `CuttingPlanes` of
+//! more than [`WHOLE_LIMIT`] generators, else `ExactVertex` |
 //! | `CuttingPlanes` | where the search by samples leaves a doubt, too | `ExactVertex` |
-//! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none | `ExactInCells` |
+//! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none |
+//! `ExactInCells` |
 //! | `ExactInCells` | cells are known | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
@@ -197,7 +200,7 @@ struct Climb<'a, 'q> {
     known: Known,
 }
 
-/// What searches in doubles left for the exact rungs.
+/// The remainder that searches in doubles leave for the exact rungs.
 #[derive(Default)]
 struct Known {
     /// Cells that probably hold the optimum.

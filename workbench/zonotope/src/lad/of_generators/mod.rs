@@ -1,5 +1,22 @@
 //! The kernel in homogeneous form: the minimum of h(u) = Σ |v_i · u| over the plane of directions u with u · p = 1.
 //!
+//! | notation | meaning in every stage |
+//! |---|---|
+//! | p | the displacement of the query |
+//! | v, v_i | a generator: its segment is { δ v : abs(δ) ≤ 1 } |
+//! | u | a direction of the plane u · p = 1, or any multiple of it |
+//! | h(u) | the support value Σ abs(v_i · u) of the body: the objective |
+//! | λ | h(u) / u · p at the optimal u: the body holds λ p and no larger multiple, so 1 / λ is the gauge of p |
+//! | μ | a rounded number near λ, of which a proof is made |
+//! | sign | that of v · u, of one generator |
+//! | g | the sum of all generators with their signs but those of a vertex: g + δ_a v_a + δ_b v_b = λ p |
+//! | δ, share | a coefficient in \[−1, 1\] that is solved for: of a generator whose sign at u is 0 |
+//! | vertex | a pair of generators a, b, and with it the direction ±a × b |
+//! | cell | a cone of directions in which signs are fixed |
+//! | level | a problem of the generators that cross a cell, the others summed up; each cell is within the one before |
+//! | band | the distance from a guess within which the kinks of lines are rounded off, and the lines within it |
+//! | side | one of two edges of the parallelogram around a guess in which the optimum is likely to be |
+//!
 //! The line of a generator v is v · u = 0, and a vertex of the arrangement of these lines is the direction v × w of a
 //! pair of generators. That is why vertices are pairs of generators and not points with coordinates: nothing is
 //! rotated, no line is computed before it is needed, and every decision is the sign of a determinant of input

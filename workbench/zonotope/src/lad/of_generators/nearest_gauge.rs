@@ -83,11 +83,11 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
     (error <= NEAREST_GAUGE * middle).then_some((middle, error))
 }
 
-/// What the proof of a vertex of doubles lacks: with S the sum of all generators but a and b with their signs at u =
-/// ±a × b, and λ = S · u / p · u, coefficients δ_a and δ_b make S + δ_a a + δ_b b = λ p. So the gauge of λ p is at most
-/// 1 and the gauges of what the coefficients exceed ±1 by.
+/// The part that the proof of a vertex of doubles lacks: with S the sum of all generators but a and b with their signs
+/// at u = ±a × b, and λ = S · u / p · u, coefficients δ_a and δ_b make S + δ_a a + δ_b b = λ p. So the gauge of λ p is
+/// at most 1 and the gauges of what the coefficients exceed ±1 by.
 struct Beyond {
-    /// What each coefficient exceeds 1 by, times |v|_1 of its generator, and beside it the excess alone.
+    /// The excess of each coefficient over 1, times |v|_1 of its generator, and beside it the excess alone.
     terms: [[f64; 2]; 2],
     /// h(u) over S · u, less 1.
     missing: f64,

@@ -1,4 +1,4 @@
-//! What the kernel answers: the facet in which the ray along the displacement leaves the body, in the form in which
+//! The answer of the kernel: the facet in which the ray along the displacement leaves the body, in the form in which
 //! the facet was proved.
 
 use super::certify::gauge_interval::DecidedOptimum;

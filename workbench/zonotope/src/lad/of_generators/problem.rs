@@ -19,7 +19,7 @@ pub(crate) struct Problem<'q> {
     pub(crate) p: BoundedVector,
     pub(crate) chart: RoundedChart,
     pub(crate) goal: Goal,
-    /// What is done with a vertex, if the caller wants to see those of the search.
+    /// The function that is given each vertex, if the caller wants to see those of the search.
     pub(crate) at_vertex: Option<AtVertex<'q>>,
     /// A vertex at which a search among all generators has ended, and from which nothing was proved.
     pub(crate) vertex: Option<[usize; 2]>,

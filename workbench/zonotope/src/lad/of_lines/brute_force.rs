@@ -32,12 +32,6 @@
 //! # Numerics
 //! Everything is exact rational arithmetic.
 //!
-//! # Errors
-//! None: the problem was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Hand-worked examples; its simplicity.
 //!

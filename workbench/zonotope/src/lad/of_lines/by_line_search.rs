@@ -28,12 +28,6 @@
 //! # Numerics
 //! Every sign (side of a line, slope, parallelism) is exact: filtered floating point, then exact dyadic arithmetic.
 //!
-//! # Errors
-//! None: the problem was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
@@ -44,7 +38,7 @@
 //! let lines = [([1.0, 0.0], -1.0), ([0.0, 1.0], -2.0), ([1.0, 1.0], 0.0)];
 //! let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
 //! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
-//! let outcome = by_line_search::minimize(&problem, 0);
+//! let outcome = by_line_search::minimize(&problem, 0, &mut ());
 //! let value = outcome.optimum().unwrap().exact_value(&problem).expect("it is that of this problem");
 //! assert_eq!(value, 3.into());
 //! ```
@@ -57,12 +51,7 @@ use super::subproblem::Subproblem;
 use crate::tally::Tally;
 
 /// Minimises a problem by line searches. `seed` only decides how lines through one vertex are moved apart.
-pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
-    minimize_counted(problem, seed, &mut ())
-}
-
-/// [`minimize`], counting its operations.
-pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
+pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     let subproblem = Subproblem::whole(problem);
     let ties = tie_break(seed);
     let solution = solve_with(&subproblem, &ties, tally, |first, tally| {

@@ -48,12 +48,6 @@
 //! A line is summed up only if a bound on every rounding error leaves no doubt about its side; all other decisions
 //! are those of the line searches: filtered floating point, then exact dyadic arithmetic.
 //!
-//! # Errors
-//! None: the problem was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
@@ -66,7 +60,7 @@
 //!     .flat_map(|k| axes.map(|normal| WeightedLine::unweighted(normal, -f64::from(k))))
 //!     .collect();
 //! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
-//! let outcome = by_pruning::minimize(&problem, 7);
+//! let outcome = by_pruning::minimize(&problem, 7, &mut ());
 //! assert_eq!(outcome.optimum().unwrap().point(&problem), Some([499.0, 499.0]));
 //! ```
 
@@ -97,12 +91,7 @@ const LARGEST_CROSSING_SHARE: f64 = 0.8;
 const LARGEST_TRUSTED_DISTANCE: f64 = 1.25;
 
 /// Minimises a problem by pruning. `seed` decides the samples, and with them the time, never the minimum.
-pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
-    minimize_counted(problem, seed, &mut ())
-}
-
-/// [`minimize`], counting its operations.
-pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
+pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     LadOutcome::new(solve(&Subproblem::whole(problem), seed, tally))
 }
 

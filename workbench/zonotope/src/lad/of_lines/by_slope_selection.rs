@@ -39,12 +39,6 @@
 //! Every decision (order along a line, order of abscissas, sign of a slope) is exact: filtered floating point, then
 //! exact dyadic arithmetic.
 //!
-//! # Errors
-//! None: the problem was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
@@ -112,12 +106,7 @@ pub enum Side {
 }
 
 /// Minimises a problem by the paper's search. `seed` decides the time, never the minimum.
-pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
-    minimize_counted(problem, seed, &mut ())
-}
-
-/// [`minimize`], counting its operations.
-pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
+pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     solve(problem, seed, tally, &mut |_, _| ())
 }
 

@@ -37,7 +37,7 @@ mod optimum;
 mod sign_vectors;
 mod subproblem;
 
-pub use by_pruning::{minimize, minimize_counted};
+pub use by_pruning::minimize;
 pub use certificate::LadCertificate;
 pub use input::{LadError, LadProblem, WeightedLine};
 pub use method::Method;

@@ -158,7 +158,7 @@ fn changed_outcomes_are_refused_without_a_panic() {
     let lines = [([1.0, 0.0], -1.0), ([0.0, 1.0], -2.0), ([1.0, 1.0], 0.0)];
     let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
     let problem = LadProblem::new(&lines, [0.0, 0.0]).expect("finite lines");
-    let outcome = minimize(&problem, 1);
+    let outcome = minimize(&problem, 1, &mut ());
     assert_eq!(check_lad(&problem, &outcome).proof().map(drop), Ok(()));
     let optimum = outcome.into_optimum().expect("bounded");
     let foreign = LineIndex(3);

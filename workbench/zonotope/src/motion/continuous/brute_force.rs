@@ -20,9 +20,6 @@
 //! # Numerics
 //! Everything is exact.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If the index is not that of a part.
 //!

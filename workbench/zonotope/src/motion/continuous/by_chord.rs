@@ -23,12 +23,6 @@
 //! # Numerics
 //! Gaps at the ends are doubles with bounds, K is a double that is rounded up; contacts are decided exactly.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
 //!
@@ -48,7 +42,7 @@
 use super::bisection::{self, Bound};
 use super::gap::Stretch;
 use super::ordinary_sizes;
-use super::rates::Rates;
+use super::parts::rates::Rates;
 use super::scene::Scene;
 use super::{FirstContact, SeparatingDirection};
 use crate::motion::Motion;

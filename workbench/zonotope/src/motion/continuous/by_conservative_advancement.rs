@@ -24,12 +24,6 @@
 //! Distances are within two units in the last place; the speed is a double that is rounded up; contacts are decided
 //! exactly.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
 //!

@@ -8,11 +8,8 @@
 //! Section 6 and Theorem 6.1, with the generators of the translation and of the disc as they must be.
 //!
 //! # Method
-//! A body that turns by θ about an axis while its base goes along v stays within its first placement, a square about
-//! the disc of radius 2 r sin(θ/2) across the axis, r the distance of its farthest point from the axis, and the segment
-//! from 0 to v: a zonotope of n + 3 generators. Bodies whose volumes are disjoint do not meet on the stretch; else it
-//! is
-//! halved.
+//! The volume of Theorem 6.1 ([`by_farthest_vertex`]) is put around each body's placements on a stretch. Bodies whose
+//! volumes are disjoint do not meet on the stretch; else it is halved.
 //!
 //! # Complexity
 //! O(n log n) a stretch for the farthest vertex of the projected body. A clearance ε takes some 1/ε stretches where the
@@ -23,12 +20,6 @@
 //!
 //! # Numerics
 //! Volumes are doubles that are made larger by more than their rounding; volumes and contacts are decided exactly.
-//!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
 //!
 //! # Checked by
 //! The first contact by control points, and exact gaps of its directions.
@@ -48,18 +39,20 @@
 
 use super::FirstContact;
 use super::bisection::{self, Bound};
-use super::body::Body;
 use super::gap::Stretch;
 use super::ordinary_sizes;
-use super::rates::Rates;
+use super::parts::body::Body;
+use super::parts::rates::Rates;
 use super::scene::Scene;
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
-use crate::motion::quaternion::{composition, conjugate, image, polar_rotation};
+use crate::motion::quaternion::{image, polar_rotation};
+use crate::motion::space_time::by_farthest_vertex;
+use crate::motion::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::{cross, dot, euclidean_norm};
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::RATE_ROUNDING;
 use crate::tally::{Operation, OperationCounts, Tally};
 use crate::zonotope::Zonotope;
@@ -91,7 +84,7 @@ impl Bound for Volumes {
         let [a, b] = [0, 1].map(|i| volume(&stretch.bodies[i], &stretch.arcs[i].rounded(), scene.margin(times)));
         let (a, b) = (a?, b?);
         let mut counts = OperationCounts::default();
-        let location = locate_counted(&Query::between(&a, &b), &mut counts);
+        let location = locate(&Query::between(&a, &b), &mut counts);
         let generators = (a.generators().len() + b.generators().len()).max(1) as u64;
         let passes = counts.get(Operation::GeneratorRead).div_ceil(generators).max(1);
         tally.add(Operation::SupportEvaluation, 2 * passes);
@@ -103,6 +96,8 @@ impl Bound for Volumes {
 }
 
 /// A zonotope around all placements of a body on a stretch; `None` where it leaves the range of doubles.
+///
+/// It is that of the body as it is rounded at the begin, made larger by more than all roundings and the margin.
 fn volume(body: &Body<'_>, arc: &Arc<f64>, margin: f64) -> Option<Zonotope<3>> {
     let [turn, _] = &arc.turns;
     let square = dot(turn, turn);
@@ -110,76 +105,15 @@ fn volume(body: &Body<'_>, arc: &Arc<f64>, margin: f64) -> Option<Zonotope<3>> {
     let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
     let base = arc.base[0].map(|c| c / arc.weight);
     let Rates { axis, angle, travel, .. } = Rates::of(arc, body);
+    let moved = image(&rotation, &arm);
+    let generators = body.generators().iter().map(|g| image(&rotation, g)).collect();
+    let placed = Zonotope::new([0, 1, 2].map(|k| base[k] + moved[k]), generators).ok()?;
+    let axis = if axis == [0.0; 3] { [1.0, 0.0, 0.0] } else { axis };
+    let sweep = Sweep::new(base, axis, angle * RATE_ROUNDING, travel).ok()?;
+    let swept = by_farthest_vertex::volume(&sweep, &placed).ok()?;
     let size = body.magnitude() + [arm, base, travel].as_flattened().iter().map(|c| c.abs()).sum::<f64>();
-    // more than all roundings and the margin, in each direction
     let pad = (RATE_ROUNDING - 1.0) * size + margin;
-    let place = image(&rotation, &arm);
-    let mut generators: Vec<[f64; 3]> = body.generators().iter().map(|g| image(&rotation, g)).collect();
-    let mut disc = 0.0;
-    if angle != 0.0 {
-        let [_, x, y, z] = composition(&conjugate(turn), &arc.turns[1]);
-        let chord = if angle < std::f64::consts::PI { libm::sin(angle / 2.0) } else { 1.0 };
-        disc = 2.0 * chord * farthest_from_axis(body.generators(), &arm, [x, y, z]) * RATE_ROUNDING;
-    }
-    let [across, other, along] = frame(axis);
-    generators.extend([across, other].map(|v| v.map(|c| c * (disc + pad))));
-    generators.push(along.map(|c| c * pad));
-    generators.push(travel.map(|c| c / 2.0));
-    let center = [0, 1, 2].map(|k| base[k] + place[k] + travel[k] / 2.0);
-    Zonotope::new(center, generators).ok()
-}
-
-/// An orthonormal frame of which the last vector is along an axis, or any frame if that is zero.
-fn frame(axis: [f64; 3]) -> [[f64; 3]; 3] {
-    if axis == [0.0; 3] {
-        return [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    }
-    let least = (0..3).min_by(|&i, &j| axis[i].abs().total_cmp(&axis[j].abs())).unwrap_or(0);
-    let mut unit = [0.0; 3];
-    unit[least] = 1.0;
-    let across = cross(&axis, &unit);
-    let length = euclidean_norm(&across);
-    let across = across.map(|c| c / length);
-    [across, cross(&axis, &across), axis]
-}
-
-/// How far the farthest point of a body with a centre is from an axis through the origin: it is a vertex of the
-/// projected body.
-fn farthest_from_axis(generators: &[[f64; 3]], center: &[f64; 3], axis: [f64; 3]) -> f64 {
-    let length = euclidean_norm(&axis);
-    let [x, y, _] = frame(axis.map(|c| c / length));
-    let projected = |v: &[f64; 3]| [dot(&x, v), dot(&y, v)];
-    let mut edges: Vec<[f64; 2]> = generators
-        .iter()
-        .map(projected)
-        .map(|[x, y]| if y < 0.0 || (y == 0.0 && x < 0.0) { [-x, -y] } else { [x, y] })
-        .collect();
-    edges.sort_by(|a, b| (b[0] * a[1]).total_cmp(&(a[0] * b[1])));
-    let center = projected(center);
-    // from the lowest vertex along the edges in the order of their angles; the other half is that of the negatives
-    let mut vertex = edges.iter().fold([0.0; 2], |sum, e| [sum[0] - e[0], sum[1] - e[1]]);
-    let mut farthest = 0.0f64;
-    let mut look = |vertex: [f64; 2]| {
-        for sign in [1.0, -1.0] {
-            farthest = farthest.max(euclidean_norm(&[center[0] + sign * vertex[0], center[1] + sign * vertex[1], 0.0]));
-        }
-    };
-    look(vertex);
-    for edge in &edges {
-        vertex = [vertex[0] + 2.0 * edge[0], vertex[1] + 2.0 * edge[1]];
-        look(vertex);
-    }
-    farthest
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_farthest_vertex_of_a_box_is_a_corner() {
-        let generators = [[3.0, 0.0, 0.0], [0.0, 0.0, 7.0], [0.0, -4.0, 0.0]];
-        assert!((farthest_from_axis(&generators, &[0.0; 3], [0.0, 0.0, 2.0]) - 5.0).abs() < 1e-12);
-        assert!((farthest_from_axis(&generators, &[3.0, 4.0, 9.0], [0.0, 0.0, 2.0]) - 10.0).abs() < 1e-12);
-    }
+    let padding = [0, 1, 2].map(|axis| [0, 1, 2].map(|k| if k == axis { pad } else { 0.0 }));
+    let generators = swept.generators().iter().copied().chain(padding).collect();
+    Zonotope::new(swept.center(), generators).ok()
 }

@@ -16,8 +16,9 @@
 use std::cell::OnceCell;
 
 use super::SeparatingDirection;
-use super::body::Body;
-use super::rates::Rates;
+use super::parts::body::Body;
+use super::parts::margin::{self, Margin};
+use super::parts::rates::Rates;
 use crate::motion::arc::{Arc, displacement};
 use crate::motion::bernstein::{convolution, difference, elevated, multiple, sum};
 use crate::motion::quaternion::{image, transposed_image};
@@ -33,8 +34,8 @@ pub(super) type Matrix<T> = [[T; 3]; 3];
 pub(super) struct Stretch<'a, T> {
     pub(super) bodies: [Body<'a>; 2],
     pub(super) arcs: [Arc<T>; 2],
-    /// A bound of how far a point of either body is from its place on the stretch, both together.
-    margin: f64,
+    /// How far the points of each body may be from their places on the stretch.
+    pub(super) margins: [Margin; 2],
     /// |q_a|² and |q_b|².
     pub(super) squares: [[T; 3]; 2],
     /// Their product.
@@ -51,11 +52,11 @@ pub(super) struct Stretch<'a, T> {
 pub(super) type GapBound<T> = [T; 6];
 
 impl<'a, T: Scalar> Stretch<'a, T> {
-    pub(super) fn new(bodies: [Body<'a>; 2], arcs: [Arc<T>; 2], margin: f64) -> Self {
+    pub(super) fn new(bodies: [Body<'a>; 2], arcs: [Arc<T>; 2], margins: [Margin; 2]) -> Self {
         let squares = arcs.each_ref().map(Arc::square);
         Self {
             bodies,
-            margin,
+            margins,
             square: convolution(&squares[0], &squares[1]),
             squares,
             rotations: arcs.each_ref().map(Arc::rotations),
@@ -63,6 +64,11 @@ impl<'a, T: Scalar> Stretch<'a, T> {
             arcs,
             seen: OnceCell::new(),
         }
+    }
+
+    /// How much less the gap along a direction may be than on the stretch.
+    pub(super) fn margin_along(&self, direction: &SeparatingDirection) -> f64 {
+        margin::along(&self.margins, direction)
     }
 
     /// The rotations of the second body as the first one sees them, times both squares.
@@ -82,16 +88,17 @@ impl<'a, T: Scalar> Stretch<'a, T> {
     /// The bound of the gap along a direction.
     pub(super) fn gap_along(&self, direction: &SeparatingDirection) -> GapBound<T> {
         let vector = |v: &[f64; 3]| v.map(T::of);
+        let margin = margin::along(&self.margins, direction);
         match direction {
-            SeparatingDirection::Space(u) => self.gap_in_space(&vector(u)),
-            SeparatingDirection::First(u) => self.gap_in_frame(0, &vector(u)),
+            SeparatingDirection::Space(u) => self.gap_in_space(&vector(u), margin),
+            SeparatingDirection::First(u) => self.gap_in_frame(0, &vector(u), margin),
             // u in the second body's frame is −u in that of the first body of the same question asked the other way
-            SeparatingDirection::Second(u) => self.gap_in_frame(1, &vector(&u.map(|c| -c))),
-            SeparatingDirection::Edges([e, f]) => self.gap_of_edges(&vector(e), &vector(f)),
+            SeparatingDirection::Second(u) => self.gap_in_frame(1, &vector(&u.map(|c| -c)), margin),
+            SeparatingDirection::Edges([e, f]) => self.gap_of_edges(&vector(e), &vector(f), margin),
         }
     }
 
-    fn gap_in_space(&self, u: &[T; 3]) -> GapBound<T> {
+    fn gap_in_space(&self, u: &[T; 3], margin: f64) -> GapBound<T> {
         let [a, b] = &self.arcs;
         let [(to_first, first), (to_second, second)] = [0, 1].map(|i| self.along(i, u));
         let toward = sum(&to_first, &multiple(&a.weight, &first));
@@ -99,7 +106,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let bases = difference(&multiple(&a.weight, &b.base_along(u)), &multiple(&b.weight, &a.base_along(u)));
         let apart: [T; 5] = convolution(&self.squares[0], &multiple(&a.weight, &away));
         let apart = difference(&apart, &convolution(&self.squares[1], &multiple(&b.weight, &toward)));
-        let apart = self.without_margin(apart, &[u]);
+        let apart = self.without(margin, apart);
         sum(&convolution(&self.square, &bases), &elevated(&apart))
     }
 
@@ -118,7 +125,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
     }
 
     /// The gap along a direction that is fixed in one body, from that body to the other.
-    fn gap_in_frame(&self, own: usize, u: &[T; 3]) -> GapBound<T> {
+    fn gap_in_frame(&self, own: usize, u: &[T; 3], margin: f64) -> GapBound<T> {
         let other = 1 - own;
         let (a, b) = (&self.arcs[own], &self.arcs[other]);
         let pull = if own == 0 { transposed_image } else { image };
@@ -129,7 +136,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let arm = b.arm_of(&self.bodies[other].center()).map(|c| c.times(&a.weight));
         let arms = pulled.each_ref().map(|u| dot(u, &arm));
         let apart = difference(&arms, &multiple(&weight, &self.bodies[other].reaches(&pulled)));
-        let apart = self.without_margin(difference(&apart, &multiple(&ends, &self.square)), &[u]);
+        let apart = self.without(margin, difference(&apart, &multiple(&ends, &self.square)));
         let turned = self.rotations[own].each_ref().map(|m| image(m, u));
         let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
             let along = turned.each_ref().map(|v| v[k].clone());
@@ -139,7 +146,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         sum(&convolution(&self.squares[other], &bases), &elevated(&apart))
     }
 
-    fn gap_of_edges(&self, e: &[T; 3], f: &[T; 3]) -> GapBound<T> {
+    fn gap_of_edges(&self, e: &[T; 3], f: &[T; 3], margin: f64) -> GapBound<T> {
         let [a, b] = &self.arcs;
         let [first, second] = &self.bodies;
         let of_first = self.seen().each_ref().map(|m| cross(e, &image(m, f)));
@@ -151,7 +158,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let weight = a.weight.times(&b.weight);
         let reaches = sum(&first.reaches(&of_first), &second.reaches(&of_second));
         let apart = difference(&arms(second, b, a, &of_second), &arms(first, a, b, &of_first));
-        let apart = self.without_margin(difference(&apart, &multiple(&weight, &reaches)), &[e, f]);
+        let apart = self.without(margin, difference(&apart, &multiple(&weight, &reaches)));
         let [es, fs] = [(0, e), (1, f)].map(|(i, v): (usize, _)| self.rotations[i].each_ref().map(|m| image(m, v)));
         // det(R_a e, R_b f, path): over each coordinate of the cross product
         let bases: GapBound<T> = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
@@ -164,16 +171,13 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         sum(&bases, &elevated(&apart))
     }
 
-    /// The bound without the margin times the length of a direction, a product of vectors that turn.
-    fn without_margin(&self, bound: [T; 5], factors: &[&[T; 3]]) -> [T; 5] {
-        if self.margin == 0.0 {
+    /// The bound of a gap without a margin.
+    fn without(&self, margin: f64, bound: [T; 5]) -> [T; 5] {
+        if margin == 0.0 {
             return bound;
         }
-        // the sum of the magnitudes of the coordinates is at least the length
-        let length = |v: &&[T; 3]| v.iter().fold(T::ZERO, |sum, c| sum.plus(&c.magnitude()));
-        let factor = factors.iter().map(length).fold(T::of(self.margin), |longest, length| longest.times(&length));
         let [a, b] = &self.arcs;
-        difference(&bound, &multiple(&a.weight.times(&b.weight).times(&factor), &self.square))
+        difference(&bound, &multiple(&a.weight.times(&b.weight).times(&T::of(margin)), &self.square))
     }
 }
 

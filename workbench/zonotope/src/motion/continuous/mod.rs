@@ -19,19 +19,20 @@
 //! space forget the time; a direction for a stretch of time is a separating hyperplane of space-time.
 
 mod bisection;
-mod body;
 pub mod brute_force;
 pub mod by_chord;
 pub mod by_conservative_advancement;
 pub mod by_control_points;
 pub mod by_space_time_volumes;
+mod doubles;
 mod gap;
 mod meeting;
 mod method;
 mod ordinary_sizes;
-mod rates;
+mod parts;
 pub mod rivals;
 mod scene;
+mod simplex_search;
 #[cfg(test)]
 mod tests;
 

@@ -25,9 +25,6 @@
 //! # Numerics
 //! Everything is exact.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If a number is not finite.
 //!

@@ -29,9 +29,6 @@
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), which holds exact placements against all facets.
 //!
@@ -56,6 +53,7 @@ use std::cmp::Ordering;
 
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
+use crate::motion::constant_rate::Clock;
 use crate::motion::quaternion::{image, polar_rotation};
 use crate::motion::sweep::SweepError;
 use crate::numeric::Rational;
@@ -72,14 +70,14 @@ const STRETCHES: u32 = 4;
 /// # Errors
 /// [`SweepError::OutOfRange`] if it leaves the range of doubles.
 pub fn volume(motion: &Motion, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
-    let middle = Middle::of(&motion.exact_arc([0.5, 0.5]));
+    let middle = Middle::of(&motion.exact_arc([0.5, 0.5], Clock::Kept));
     let mut bounds: [Option<[Rational; 2]>; 3] = [const { None }; 3];
     let times: Vec<f64> = [0.0].into_iter().chain(motion.breaks()).chain([1.0]).collect();
     for part in times.windows(2) {
         let cut = |i: u32| part[0] + (part[1] - part[0]) * f64::from(i) / f64::from(STRETCHES);
         for i in 0..STRETCHES {
             let until = if i + 1 == STRETCHES { part[1] } else { cut(i + 1) };
-            let arc = motion.exact_arc([cut(i), until]);
+            let arc = motion.exact_arc([cut(i), until], Clock::Kept);
             for (k, bounds) in bounds.iter_mut().enumerate() {
                 let [low, high] = middle.displacements(&arc, body, k);
                 *bounds = Some(match bounds.take() {

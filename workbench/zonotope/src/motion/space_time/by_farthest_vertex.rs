@@ -28,9 +28,6 @@
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers
 //! in

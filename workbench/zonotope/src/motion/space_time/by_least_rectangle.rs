@@ -25,9 +25,6 @@
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers
 //! in
@@ -68,7 +65,7 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
     let arcs = ArcPoints::of(&Shadow::of(&plane, &scaled), sweep.angle);
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
-    let hull = convex_hull(&arcs.points).map_err(|_| SweepError::OutOfRange)?;
+    let hull = convex_hull(&arcs.points, &mut ()).map_err(|_| SweepError::OutOfRange)?;
     let in_space = |v: [f64; 2]| plane.vector(&[0.0, v[0], v[1]].map(Bounded::exact));
     let rectangle = least_rectangle(hull.vertices());
     volume.move_center(&in_space(rectangle.center));

@@ -4,77 +4,31 @@ use super::{
     by_farthest_vertex, by_least_rectangle, by_least_zonogon, by_middle_placement, by_shadow, by_turned_generators,
 };
 use crate::motion::sweep::{Sweep, SweepError};
+use crate::tables::methods;
 use crate::zonotope::Zonotope;
 
-/// A method that encloses all placements of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-#[non_exhaustive]
-pub enum Method {
+methods! {
+    /// A method that encloses all placements of a sweep.
+    pub enum Method;
+    /// The cost of a volume of a body with n generators.
+    fn cost;
+
     /// [`by_farthest_vertex`], Theorem 6.1, the default.
-    #[default]
-    ByFarthestVertex,
+    ByFarthestVertex => "by_farthest_vertex", "Theorem 6.1: a square around the circle of the farthest vertex",
+        "O(n log n)";
     /// [`by_middle_placement`].
-    ByMiddlePlacement,
+    ByMiddlePlacement => "by_middle_placement", "A square around the circle from the middle placement", "O(n log n)";
     /// [`by_least_rectangle`].
-    ByLeastRectangle,
+    ByLeastRectangle => "by_least_rectangle", "The least rectangle around the arcs", "O(n log n)";
     /// [`by_least_zonogon`].
-    ByLeastZonogon,
+    ByLeastZonogon => "by_least_zonogon", "The zonogon of least area around the arcs", "O(n log n)";
     /// [`by_shadow`].
-    ByShadow,
+    ByShadow => "by_shadow", "The shadow of the body, turned and scaled", "O(n)";
     /// [`by_turned_generators`].
-    ByTurnedGenerators,
+    ByTurnedGenerators => "by_turned_generators", "Each generator turned", "O(n)";
 }
 
 impl Method {
-    /// Every method, the default first.
-    pub const ALL: [Self; 6] = [
-        Self::ByFarthestVertex,
-        Self::ByMiddlePlacement,
-        Self::ByLeastRectangle,
-        Self::ByLeastZonogon,
-        Self::ByShadow,
-        Self::ByTurnedGenerators,
-    ];
-
-    /// The name of the method's file.
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::ByFarthestVertex => "by_farthest_vertex",
-            Self::ByMiddlePlacement => "by_middle_placement",
-            Self::ByLeastRectangle => "by_least_rectangle",
-            Self::ByLeastZonogon => "by_least_zonogon",
-            Self::ByShadow => "by_shadow",
-            Self::ByTurnedGenerators => "by_turned_generators",
-        }
-    }
-
-    /// The method with a name.
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.id() == id)
-    }
-
-    /// The name for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::ByFarthestVertex => "Theorem 6.1: a square around the circle of the farthest vertex",
-            Self::ByMiddlePlacement => "A square around the circle from the middle placement",
-            Self::ByLeastRectangle => "The least rectangle around the arcs",
-            Self::ByLeastZonogon => "The zonogon of least area around the arcs",
-            Self::ByShadow => "The shadow of the body, turned and scaled",
-            Self::ByTurnedGenerators => "Each generator turned",
-        }
-    }
-
-    /// The cost of a volume of a body with n generators.
-    pub fn cost(self) -> &'static str {
-        match self {
-            Self::ByFarthestVertex | Self::ByMiddlePlacement | Self::ByLeastRectangle | Self::ByLeastZonogon => {
-                "O(n log n)"
-            }
-            Self::ByShadow | Self::ByTurnedGenerators => "O(n)",
-        }
-    }
-
     /// A zonotope around all placements.
     ///
     /// # Errors

@@ -42,9 +42,6 @@
 //! underflow. The smallest bound that `robust` computes, about 2^-103 times the sum of the products, is at least
 //! 2^-1007 when that sum is not zero, a normal number.
 //!
-//! # Errors
-//! None. Non-finite coordinates are a broken precondition: the result is then meaningless.
-//!
 //! # Panics
 //! In step 4 if a coordinate is not finite.
 //!

@@ -32,9 +32,6 @@
 //! so is the answer. The zeros of both signs are one place. The bits of the answer are the same at every level of
 //! vector instructions.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If the columns differ in length.
 //!

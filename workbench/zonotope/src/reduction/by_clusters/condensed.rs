@@ -27,7 +27,7 @@ pub(super) fn condensed<const D: usize>(vectors: Vec<[f64; D]>, rank: usize) -> 
         let length = dot(&sum, &sum).sqrt();
         sum.map(|c| if length > 0.0 { c * (total / length) } else { c })
     };
-    cells(&vectors, side).iter().map(|cell| sum(&cell.members)).collect()
+    cells(&vectors, side, &mut ()).iter().map(|cell| sum(&cell.members)).collect()
 }
 
 #[cfg(test)]

@@ -40,9 +40,6 @@
 //! # Errors
 //! [`OutOfRange`](super::ReductionError::OutOfRange) ⇔ a generator of B exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), in rationals.
 //!

@@ -25,9 +25,6 @@
 //! # Numerics
 //! Everything is exact.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If there are more than 20 generators in all.
 //!

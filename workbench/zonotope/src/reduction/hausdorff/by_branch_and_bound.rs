@@ -36,12 +36,6 @@
 //! the sum of all lengths for k generators of the farther body. The cones cover the directions exactly. A distance that
 //! is as small as that is not told from 0.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force).
 //!

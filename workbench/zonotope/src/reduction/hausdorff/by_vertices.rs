@@ -36,12 +36,6 @@
 //! the direction costs: nothing if its whole numbers are doubles, some units in the last place in general, and much of
 //! it where the bodies differ by no more than rounding themselves.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force).
 //!

@@ -32,9 +32,6 @@
 //! [`BadEpsilon`](super::super::ReductionError::BadEpsilon) ⇔ ε is not in (0, 1);
 //! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a side of the box exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!

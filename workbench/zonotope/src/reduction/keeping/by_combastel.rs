@@ -24,9 +24,6 @@
 //! # Errors
 //! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a side of the box exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!

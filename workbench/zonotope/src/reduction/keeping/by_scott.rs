@@ -31,9 +31,6 @@
 //! # Errors
 //! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a generator of the answer exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!

@@ -27,9 +27,6 @@
 //! # Numerics
 //! Exact rationals throughout.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If a coordinate is not finite.
 //!

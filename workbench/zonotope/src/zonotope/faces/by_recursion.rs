@@ -28,12 +28,6 @@
 //! # Numerics
 //! Exact: minors and dot products of doubles as dyadic numbers.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! `brute_force.rs` in dimensions 1 to 5, and the face lattice in space.
 //!

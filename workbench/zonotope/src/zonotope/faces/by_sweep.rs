@@ -39,9 +39,6 @@
 //! # Errors
 //! [`FacesError::TooManyDirections`] ⇔ more than [`MAX_DIRECTIONS`] directions: indices would not fit 32 bits.
 //!
-//! # Panics
-//! Never; memory is the caller's to plan.
-//!
 //! # Checked by
 //! `brute_force.rs` on every family of the tests, Euler's relation, incidences and oppositeness on larger ones.
 //!
@@ -51,7 +48,8 @@
 //! use zonotope::zonotope::faces::{Faces, faces};
 //!
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
-//! let Faces::Solid(lattice) = faces(&cube).expect("few directions") else { unreachable!("three directions") };
+//! let found = faces(&cube, &mut ()).expect("few directions");
+//! let Faces::Solid(lattice) = found else { unreachable!("three directions") };
 //! assert_eq!([lattice.vertex_count(), lattice.edge_count(), lattice.facet_count()], [8, 12, 6]);
 //! ```
 

@@ -56,19 +56,13 @@ pub enum Faces {
 
 /// The faces of a zonotope, by [`by_sweep`].
 ///
-/// # Errors
-/// [`FacesError::TooManyDirections`].
-pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
-    faces_counted(body, &mut ())
-}
-
-/// [`faces`], counting an [`Operation::Comparison`](crate::tally::Operation::Comparison) for each order of two
-/// crossings of a great circle, the exact fallbacks among them, and an
+/// Counted are an [`Operation::Comparison`](crate::tally::Operation::Comparison) for each order of two crossings of a
+/// great circle, the exact fallbacks among them, and an
 /// [`Operation::SearchStep`](crate::tally::Operation::SearchStep) for each crossing that the sweep passes.
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn faces_counted(body: &Zonotope<3>, tally: &mut impl Tally) -> Result<Faces, FacesError> {
+pub fn faces(body: &Zonotope<3>, tally: &mut impl Tally) -> Result<Faces, FacesError> {
     let directions = Directions::of_finite(body.generators());
     match directions.len() {
         0 => Ok(Faces::Point(body.center())),

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::SignVector;
 use super::brute_force::faces_by_dimension;
-use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces, faces_counted};
+use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, OperationCounts};
@@ -15,7 +15,7 @@ use crate::zonotope::Zonotope;
 
 fn lattice_of(center: [f64; 3], generators: &[[f64; 3]]) -> Option<FaceLattice> {
     let body = Zonotope::new(center, generators.to_vec()).expect("finite");
-    match faces(&body).expect("few directions") {
+    match faces(&body, &mut ()).expect("few directions") {
         Faces::Flat(lattice) | Faces::Solid(lattice) => Some(lattice),
         Faces::Point(_) | Faces::Segment(_) => None,
     }
@@ -186,7 +186,7 @@ fn counts_tell_what_the_sweep_did() {
     let generators: Vec<[f64; 3]> = (1..40).map(f64::from).map(|k| [k, 0.1 * k * k, 9.7 - k * k * k]).collect();
     let body = Zonotope::new([0.0; 3], generators).expect("finite");
     let mut counts = OperationCounts::default();
-    let found = faces_counted(&body, &mut counts).expect("few directions");
+    let found = faces(&body, &mut counts).expect("few directions");
     let Faces::Solid(lattice) = found else { unreachable!("the moment curve is not flat") };
     check_stars(&lattice);
     assert_eq!(2 * counts.get(Operation::SearchStep), lattice.facet_count() as u64);

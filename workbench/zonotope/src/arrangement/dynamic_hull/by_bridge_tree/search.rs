@@ -28,7 +28,7 @@
 use std::cmp::Ordering;
 
 use super::tree::{BridgeTree, Node, Range};
-use crate::arrangement::dynamic_hull::chain::PresentSites;
+use crate::arrangement::dynamic_hull::present_sites::PresentSites;
 use crate::arrangement::dynamic_hull::sites::Site;
 use crate::numeric::orientation::Turn;
 

@@ -9,7 +9,7 @@ pub(super) const VACANT: u32 = u32::MAX;
 ///
 /// Node 1 is the root, the children of node k are 2k and 2k + 1, the leaf of location l is `leaves` + l.
 #[derive(Debug, Clone)]
-pub struct BridgeTree {
+pub(in crate::arrangement::dynamic_hull) struct BridgeTree {
     /// A power of two, not below the number of locations.
     pub(super) leaves: usize,
     /// By node, below `leaves`: the ends of the bridge between the left and the right part. Where one part is empty its

@@ -22,14 +22,14 @@ pub(super) const SAMPLE_STEPS: usize = 12;
 /// The most steps on all generators.
 const WHOLE_STEPS: usize = 6;
 
-/// What the smooth problem says of a point.
+/// The smooth problem at a point.
 pub(super) enum Sign {
     Inside(Combination),
     Outside([f64; 3]),
     Neither,
 }
 
-/// How long coefficients are looked for, and whether they are to be exact.
+/// The limit of a search for coefficients, and whether they are to be exact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Effort {
     pub(super) steps: usize,
@@ -53,7 +53,7 @@ impl Step {
     }
 }
 
-/// Where the Newton steps are, and how large the gauge of p is at least.
+/// The point of the Newton steps, and a lower bound of the gauge of p.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct State {
     y: [f64; 3],
@@ -74,7 +74,7 @@ impl State {
         Self { y, gauge, at: None }
     }
 
-    /// Where the steps are.
+    /// The point of the steps.
     pub(super) fn y(&self) -> [f64; 3] {
         self.y
     }

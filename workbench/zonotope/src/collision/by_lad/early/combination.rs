@@ -35,7 +35,7 @@ pub(crate) struct Combination {
     z: [f64; 3],
     factor: f64,
     lengths: Lengths,
-    /// What coefficients are clipped to in the end.
+    /// The bound to which coefficients are clipped in the end.
     limit: f64,
 }
 

@@ -24,13 +24,13 @@ use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 /// No coefficient is nearer to ±1 than this leaves room for.
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
 
-/// What is added to the diagonal of a matrix, in terms of its trace, so that flat bodies have an inverse as well.
+/// The addition to the diagonal of a matrix, in terms of its trace, so that flat bodies have an inverse as well.
 const DIAGONAL_SHIFT: f64 = 4e-15;
 
-/// How much larger than those of some generators the coefficients of all are taken to be.
+/// The factor by which the coefficients of all generators are taken to exceed those of some.
 pub(crate) const SAMPLE_MARGIN: f64 = 1.15;
 
-/// Where a part of the coefficients need not be exact, clipped ones may move by so much.
+/// The most by which clipped coefficients may move where a part of them need not be exact.
 pub(crate) const ROUGH_EXCESS: f64 = 0.3;
 
 /// Lengths are even if the longest is no longer than this, in terms of the mean.
@@ -50,7 +50,7 @@ pub(crate) struct Moments {
     pub(crate) reach: f64,
 }
 
-/// What a product with a generator is divided by: its own length, or one for all.
+/// The divisor of a product with a generator: its own length, or one for all.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Lengths {
     Own,
@@ -69,7 +69,7 @@ impl Lengths {
         if longest * count_of(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
-    /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
+    /// An upper bound of (v · z) / |v|: for any v, or for even generators by those of some, with room for others.
     #[inline(always)]
     pub(crate) fn largest(self, among: Among<'_>, generators: &impl Generators, z: &[f64; 3]) -> f64 {
         match among {
@@ -86,7 +86,7 @@ impl Lengths {
         SAMPLE_MARGIN * dispatch!(level(), simd => largest_product(simd, among, z)) / longest
     }
 
-    /// What products with a vector are to be taken with, and what sums of them are to be divided by.
+    /// The vector that products are to be taken with, and the divisor of their sums.
     pub(crate) fn scale(self) -> f64 {
         match self {
             Self::Own => 1.0,

@@ -38,7 +38,7 @@ pub(super) fn are_known(query: &impl KernelQuery) -> bool {
     is_known && Lengths::of(query) != Lengths::Own
 }
 
-/// The status of p with its proof, if that is clear.
+/// The status of p with its proof, if p is far from the boundary.
 pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     let (y, is_thick) = Moments::at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
     if !is_thick {
@@ -132,7 +132,7 @@ mod tests {
             for factor in factors {
                 let mut vector = || [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
                 let (body, direction) = ((0..n).map(|_| vector()).collect::<Vec<_>>(), vector());
-                let gauge = by_lad::gauge(&Query::new([0.0; 3], direction, &body).expect("finite")).value;
+                let gauge = by_lad::gauge(&Query::new([0.0; 3], direction, &body).expect("finite"), &mut ()).value;
                 let p = direction.map(|c| factor / gauge * c);
                 let halves = body.split_at(n / 3);
                 let prepared = |center, half: &[[f64; 3]]| {

@@ -34,7 +34,7 @@ const SAMPLE: usize = 4;
 /// Above this number of generators the widest instructions are quicker.
 const NARROW_LIMIT: usize = 4 * LANES;
 
-/// What is known of a point that one solve does not tell.
+/// Knowledge of a point beyond what one solve finds.
 pub(crate) struct Open {
     /// The solution: the least coefficients are its products with the generators, each over its length where own
     /// lengths are taken.

@@ -1,4 +1,4 @@
-//! Points far inside and far outside, told and proved in few passes, on a sample first.
+//! Points far inside and far outside, located and proved in few passes, on a sample first.
 //!
 //! | file | what it has |
 //! |---|---|
@@ -59,7 +59,7 @@ const INSIDE_GAUGE_OF_SMALL_BODIES: f64 = 0.6;
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
-/// The status of p with its proof, if that is clear.
+/// The status of p with its proof, if p is far from the boundary.
 #[inline]
 pub(crate) fn locate(query: &impl KernelQuery, tally: &mut dyn Tally) -> Option<Proof> {
     let p = query.displacement_estimate();

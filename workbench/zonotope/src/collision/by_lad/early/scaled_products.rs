@@ -1,4 +1,4 @@
-//! How large the least coefficients become where they are scaled up and clipped, as a sample of them shows.
+//! The size of the least coefficients where they are scaled up and clipped, as a sample of them shows.
 //!
 //! The least coefficients t_i = v_i · y of a point p, with (Σ v vᵀ) y = p, are too large where p is not well inside.
 //! Those of α y, clipped to [−1, 1], sum up to about r(α) p with r(α) = Σ clip(α t_i) t_i / Σ t_i², as the clipped sum

@@ -32,7 +32,7 @@ const STEADY_ROOT: usize = 8;
 const SHORTEST_STRETCH: usize = 8;
 const LONGEST_STRETCH: usize = 128;
 
-/// How generators are dealt out.
+/// The order in which generators are dealt out.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StratifiedPass {
     /// Generators in a stretch.

@@ -28,13 +28,13 @@ fn answers_are_the_same_at_every_level() {
                 let (from, mut to) = displacement(&generators, &mut random);
                 if round == 3 {
                     // near the boundary, where the search goes to its end
-                    let gauge = by_lad::gauge(&Query::new(from, to, &generators).expect("finite")).value;
+                    let gauge = by_lad::gauge(&Query::new(from, to, &generators).expect("finite"), &mut ()).value;
                     let scaled = [0, 1, 2].map(|k| from[k] + (to[k] - from[k]) / gauge);
                     to = if scaled.iter().all(|c| c.is_finite()) { scaled } else { to };
                 }
                 let query = Query::new(from, to, &generators).expect("finite");
-                assert_same(&format!("location, {name} {n}"), || by_lad::locate(&query));
-                assert_same(&format!("gauge, {name} {n}"), || by_lad::gauge(&query));
+                assert_same(&format!("location, {name} {n}"), || by_lad::locate(&query, &mut ()));
+                assert_same(&format!("gauge, {name} {n}"), || by_lad::gauge(&query, &mut ()));
             }
         }
     }
@@ -54,8 +54,8 @@ fn answers_about_posed_bodies_are_the_same_at_every_level() {
         for away in [0.0, 0.5, 1.0, 3.0] {
             let other = Pose::new(*pose.rows(), [away * n as f64, 0.0, 0.1]).expect("finite");
             let query = Query::of_placed(bodies[0].at(&pose), bodies[1].at(&other));
-            assert_same(&format!("posed location, {n}"), || by_lad::locate(&query));
-            assert_same(&format!("posed gauge, {n}"), || by_lad::gauge(&query));
+            assert_same(&format!("posed location, {n}"), || by_lad::locate(&query, &mut ()));
+            assert_same(&format!("posed gauge, {n}"), || by_lad::gauge(&query, &mut ()));
         }
     }
 }

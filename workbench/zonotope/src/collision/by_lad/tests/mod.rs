@@ -128,10 +128,10 @@ fn solves(members: &[&Vector], rest: &Vector) -> bool {
 /// Compares all answers with the definition.
 fn check<const D: usize>(query: &Query<'_, D>) {
     let (truth, status) = truth(query);
-    let located = locate(query);
+    let located = locate(query, &mut ());
     assert_eq!(located.status().name(), status, "{query:?}");
     check_proof(query, &located);
-    let Gauge { value, error, location } = gauge(query);
+    let Gauge { value, error, location } = gauge(query, &mut ());
     assert_eq!(location.status().name(), status, "{query:?}");
     check_proof(query, &location);
     match truth {
@@ -273,9 +273,9 @@ fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {
 }
 
 fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
-    let located = locate(query);
+    let located = locate(query, &mut ());
     assert_eq!(check_location(query, &located).proof().map(drop), Ok(()), "{name} {}", query.len());
-    let Gauge { value, error, location } = gauge(query);
+    let Gauge { value, error, location } = gauge(query, &mut ());
     assert_eq!(check_location(query, &location).proof().map(drop), Ok(()), "{name} {}", query.len());
     assert_eq!(location.status(), located.status(), "{name} {}", query.len());
     if error.is_finite() && value.is_finite() {
@@ -287,7 +287,7 @@ fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
         for (factor, is_member) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
             let scaled = query.to().map(|c| c / value * factor);
             let moved = Query::new([0.0; D], scaled, &generators).expect("finite");
-            let located = locate(&moved);
+            let located = locate(&moved, &mut ());
             assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", query.len());
             assert_eq!(check_location(&moved, &located).proof().map(drop), Ok(()), "{name} {}", query.len());
         }
@@ -317,7 +317,7 @@ fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
                 sum = [0, 1, 2].map(|k| sum[k] + f64::copysign(1.0, v[0]) * v[k]);
             }
             let direction = Query::new([0.0; 3], [1.0, 0.3, 0.1], &generators).expect("finite");
-            let edge = [1.0, 0.3, 0.1].map(|c| c / gauge(&direction).value);
+            let edge = [1.0, 0.3, 0.1].map(|c| c / gauge(&direction, &mut ()).value);
             for p in [sum, sum.map(|c| 0.3 * c), edge] {
                 prove(name, &Query::new([0.0; 3], p, &generators).expect("finite"));
             }

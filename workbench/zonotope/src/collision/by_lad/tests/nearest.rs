@@ -31,7 +31,7 @@ fn cross_in<const D: usize>(seed: u64) {
             let generators = family::<D>(name, n, &mut random);
             let (from, to) = displacement(&generators, &mut random);
             let query = Query::new(from, to, &generators).expect("finite");
-            check(name, n, of(&by_lad::nearest_gauge(&query)), brute_force::gauge(&query).value);
+            check(name, n, of(&by_lad::nearest_gauge(&query, &mut ())), brute_force::gauge(&query).value);
         }
     }
 }
@@ -54,11 +54,11 @@ fn of_prepared_and_posed_bodies_and_of_trees() {
             let generators = family::<3>(name, n, &mut random);
             let (_, to) = displacement(&generators, &mut random);
             let body = Zonotope::new([0.0; 3], generators.clone()).expect("finite");
-            let truth = by_lad::facet(&Query::of_point(to, &body).expect("finite")).exact_value();
+            let truth = by_lad::facet(&Query::of_point(to, &body).expect("finite"), &mut ()).exact_value();
             check(name, n, of(&body.gauge(to).expect("finite")), truth);
             check(name, n, of(&PreparedBody::new(body.clone()).gauge(to).expect("finite")), truth);
             let tree = DirectionTree::new(&body);
-            check(name, n, tree.gauge(to).expect("finite").nearest_value(), truth);
+            check(name, n, tree.gauge(to, &mut ()).expect("finite").nearest_value(), truth);
             let images: Vec<[f64; 3]> = generators.iter().map(image).collect();
             let is_exact = images.iter().flatten().all(|c| c.is_finite() && (*c == 0.0 || c.abs() > 1e-290));
             let end = image(&to);

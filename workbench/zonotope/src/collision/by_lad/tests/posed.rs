@@ -98,8 +98,8 @@ pub(in crate::collision) fn check_proof(query: &Query<'_, 3, Pose>, location: &L
 
 fn check(query: &Query<'_, 3, Pose>) {
     let (images, p) = (images(query), query.exact());
-    let location = locate(query);
-    let gauge = by_lad::gauge(query);
+    let location = locate(query, &mut ());
+    let gauge = by_lad::gauge(query, &mut ());
     if let Some(status) = truth(&images, &p) {
         assert_eq!(location.status().name(), status);
         let scale = Dyadic::from_f64(gauge.value);
@@ -181,12 +181,12 @@ fn many_generators_under_rotations() {
             let at = [0.1, 0.5, 1.0, 1.0 + 1e-9, 1.5, 4.0][i as usize % 6];
             let turned = Pose::from_axis_angle([0.0, 1.0, 0.3], 2.0 * angle, [0.0; 3]).expect("an axis");
             let unit = Query::of_placed(a.at(&from), b.at(&Pose::from_translation([1.0, 0.5, -0.3]).expect("finite")));
-            let gauge = by_lad::gauge(&unit).value;
+            let gauge = by_lad::gauge(&unit, &mut ()).value;
             let distance = [1.0, 0.5, -0.3].map(|c| c * at / gauge);
             let to = Pose::new(turned.matrix(), distance).expect("finite");
             let query = Query::of_placed(a.at(&from), b.at(&to));
-            check_proof(&query, &locate(&query));
-            check_proof(&query, &by_lad::gauge(&query).location);
+            check_proof(&query, &locate(&query, &mut ()));
+            check_proof(&query, &by_lad::gauge(&query, &mut ()).location);
         }
     }
 }
@@ -197,7 +197,7 @@ fn the_identity_answers_as_no_pose_does() {
     for at in [0.5, 2.0, 2.0 + f64::EPSILON * 2.0] {
         let other = Zonotope::new([at, 0.0, 0.0], cube.generators().to_vec()).expect("finite");
         let posed = Query::of_placed(cube.at(&Pose::IDENTITY), other.at(&Pose::IDENTITY));
-        assert_eq!(locate(&posed).status(), locate(&Query::between(&cube, &other)).status());
+        assert_eq!(locate(&posed, &mut ()).status(), locate(&Query::between(&cube, &other), &mut ()).status());
     }
 }
 
@@ -247,8 +247,8 @@ fn exact_matrices_answer_as_images_do() {
             let posed = Query::of_placed(a.at(&from), b.at(&to));
             let all = images.concat();
             let plain = Query::new([0.0; 3], p, &all).expect("finite");
-            let location = locate(&posed);
-            assert_eq!(location.status(), locate(&plain).status(), "{n} {i}");
+            let location = locate(&posed, &mut ());
+            assert_eq!(location.status(), locate(&plain, &mut ()).status(), "{n} {i}");
             check_proof(&posed, &location);
             seen[Status::ALL.iter().position(|status| *status == location.status()).expect("a status")] += 1;
         }

@@ -31,9 +31,9 @@ fn points_are_located_alike() {
             let prepared = PreparedBody::new(body.clone());
             for end in ends(&body, to) {
                 let query = Query::of_point_in(end, prepared.placed()).expect("finite");
-                let location = by_lad::locate(&query);
-                let plain = by_lad::gauge(&Query::of_point(end, &body).expect("finite"));
-                let gauge = by_lad::gauge(&query);
+                let location = by_lad::locate(&query, &mut ());
+                let plain = by_lad::gauge(&Query::of_point(end, &body).expect("finite"), &mut ());
+                let gauge = by_lad::gauge(&query, &mut ());
                 assert!(check_location(&query, &location).is_right(), "{name} {n}");
                 assert!(check_location(&query, &gauge.location).is_right(), "{name} {n}");
                 assert_eq!(location.status(), plain.location.status(), "{name} {n}");
@@ -59,16 +59,16 @@ fn two_bodies_meet_alike() {
                 let second = Zonotope::new(end, second.clone()).expect("finite");
                 let prepared = [&first, &second].map(|body| PreparedBody::new(body.clone()));
                 let [a, b] = prepared.each_ref().map(PreparedBody::placed);
-                let status = by_lad::locate(&Query::between(&first, &second)).status();
+                let status = by_lad::locate(&Query::between(&first, &second), &mut ()).status();
                 let pose = if random.random_bool(0.5) { Pose::IDENTITY } else { turned };
-                let posed = by_lad::locate(&Query::of_placed(first.at(&turned), second.at(&pose))).status();
+                let posed = by_lad::locate(&Query::of_placed(first.at(&turned), second.at(&pose)), &mut ()).status();
                 for [a, b] in [[a, b], [Placed::from(&first), b], [a, Placed::from(&second)]] {
                     let query = Query::of_placed(a, b);
-                    let location = by_lad::locate(&query);
+                    let location = by_lad::locate(&query, &mut ());
                     assert!(check_location(&query, &location).is_right(), "{name} {n} {m}");
                     assert_eq!(location.status(), status, "{name} {n} {m}");
                     let query = Query::of_placed(a.at(&turned), b.at(&pose));
-                    let location = by_lad::locate(&query);
+                    let location = by_lad::locate(&query, &mut ());
                     check_proof(&query, &location);
                     assert_eq!(location.status(), posed, "posed {name} {n} {m}");
                 }

@@ -1,6 +1,6 @@
 //! Every rung of the ladder is reached by a named family of generators: one that nothing reaches would be dead code.
 
-use crate::collision::by_lad::{gauge_counted, locate, locate_counted};
+use crate::collision::by_lad::{gauge, locate};
 use crate::collision::{Location, Query};
 use crate::numeric::linear::{cross, dot};
 use crate::tally::{OperationCounts, Rung};
@@ -82,13 +82,13 @@ fn boundary_point(body: &[[f64; 3]], number: usize, random: &mut Pcg64Mcg) -> [f
         1 => sum(cross(&pair[0], &pair[1]), Some(0.25)),
         _ => {
             let query = Query::new([0.0; 3], direction, body).expect("finite");
-            let gauge = crate::collision::by_lad::gauge(&query).value;
+            let gauge = crate::collision::by_lad::gauge(&query, &mut ()).value;
             if gauge > 0.0 && gauge < f64::MAX { direction.map(|c| c / gauge) } else { direction }
         }
     }
 }
 
-/// How far along the ray to a point of the boundary a question's point lies.
+/// The place of a question's point along the ray to a point of the boundary.
 const REACHES: [f64; 12] = [
     1.0,
     1.0 + 1e-9,
@@ -116,8 +116,8 @@ fn each_rung_is_reached_by_its_family() {
             let p = boundary_point(&body, number, random).map(|c| reach * c);
             let query = Query::new([0.0; 3], p, &body).expect("finite");
             let mut counts = OperationCounts::default();
-            let location: Location<3> = locate_counted(&query, &mut counts);
-            let gauge = gauge_counted(&query, &mut counts);
+            let location: Location<3> = locate(&query, &mut counts);
+            let gauge = gauge(&query, &mut counts);
             assert_eq!(location.status(), gauge.location.status(), "{family}, {n} generators, {number}");
             counts.answers_of(rung) > 0
         });
@@ -153,7 +153,7 @@ fn early_rungs_are_reached_by_posed_bodies() {
             let to = Pose::from_quaternion(turn, [reach, 0.0, 0.0]).expect("a quaternion");
             let mut counts = OperationCounts::default();
             let query = Query::of_placed(a.at(&from), b.at(&to));
-            assert_eq!(locate_counted(&query, &mut counts), locate(&query));
+            assert_eq!(locate(&query, &mut counts), locate(&query, &mut ()));
             counts.answers_of(rung) > 0
         });
         assert!(is_reached, "{rung:?}, {n} generators");

@@ -40,12 +40,6 @@
 //! two units in the last place. Coefficients of the basis are rounded to nearest, points of bodies to within a unit in
 //! the last place.
 //!
-//! # Errors
-//! None: the query was validated when it was made.
-//!
-//! # Panics
-//! Never. More than three dimensions do not compile.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family, the degenerate ones included; the optimality of each answer in
 //! rationals.
@@ -56,7 +50,7 @@
 //! // the square [−1, 1]² and the point (4, 5): the corner (1, 1) is nearest
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
 //! let query = Query::new([0.0, 0.0], [4.0, 5.0], &square).unwrap();
-//! let gap = by_support_simplex::proximity(&query);
+//! let gap = by_support_simplex::proximity(&query, &mut ());
 //! assert_eq!((gap.distance(), gap.gap().unwrap().points[0]), (5.0, [1.0, 1.0]));
 //! ```
 
@@ -72,7 +66,7 @@ mod rounded_vertices;
 mod tests;
 
 use super::Proximity;
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
@@ -82,14 +76,9 @@ use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
 /// The proximity of the bodies of a query where they stand: how far apart they are, or how they meet.
-pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>) -> Proximity<D> {
-    proximity_counted(query, &mut ())
-}
-
-/// [`proximity`], counting its operations.
-pub fn proximity_counted<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Proximity<D> {
+pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Proximity<D> {
     const { assert!(D <= 3, "distances are known in up to three dimensions") }
-    match locate_counted(query, tally) {
+    match locate(query, tally) {
         Location::Inside(witness) => Proximity::Overlapping(witness),
         Location::Boundary(witness) => Proximity::Touching(witness),
         Location::Outside(separation) => {

@@ -24,12 +24,6 @@
 //! # Numerics
 //! Exact rationals throughout.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Cubes by hand.
 //!

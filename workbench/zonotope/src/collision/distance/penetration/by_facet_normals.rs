@@ -25,12 +25,6 @@
 //! Exact but for the last step: the bounds are two units in the last place to both sides of a value that is within two
 //! units of the depth.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), cubes by hand.
 //!

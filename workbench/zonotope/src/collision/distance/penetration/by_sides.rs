@@ -28,12 +28,6 @@
 //! Exact but for the last step: the bounds are two units in the last place to both sides of a value that is within two
 //! units of the depth.
 //!
-//! # Errors
-//! None: a [`Query`] is valid.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), [`by_facet_normals`](super::by_facet_normals).
 //!

@@ -29,7 +29,7 @@ use crate::zonotope::query::Query;
 #[inline(never)]
 pub fn of_query<const D: usize>(query: &Query<'_, D>) -> Penetration<D> {
     if let Some(query) = query.in_dimension::<3>() {
-        return by_inner_polytope::penetration(&query).in_dimension();
+        return by_inner_polytope::penetration(&query, &mut ()).in_dimension();
     }
     if let Some(query) = query.in_dimension::<2>() {
         return by_sides::penetration(&query).in_dimension();

@@ -27,7 +27,7 @@ fn check(query: &Query<'_, 3>) -> Result<(), TestCaseError> {
     let truth = brute_force::squared_depth(query).unwrap_or(Rational::ZERO);
     let exact = by_facet_normals::penetration(query);
     prop_assert!(holds(&exact, &truth), "{:?}", exact);
-    let depth = by_inner_polytope::penetration(query);
+    let depth = by_inner_polytope::penetration(query, &mut ());
     prop_assert!(holds(&depth, &truth), "{:?} {:?}", depth, exact);
     let is_subnormal = exact.upper < 1e-300;
     prop_assert!(depth.is_within(ACCURACY) || is_subnormal, "{:?}", depth);
@@ -91,7 +91,7 @@ fn balls_need_cells_everywhere() {
         let generators: Vec<[f64; 3]> = (0..count).map(|_| [unit(), unit(), unit()]).collect();
         for to in [[0.0; 3], [0.1 * count as f64, 0.0, 0.0]] {
             let query = Query::new([0.0; 3], to, &generators).expect("finite");
-            let depth = by_inner_polytope::penetration(&query);
+            let depth = by_inner_polytope::penetration(&query, &mut ());
             let exact = by_facet_normals::penetration(&query);
             assert!(depth.is_within(ACCURACY) && depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?}");
         }
@@ -104,7 +104,7 @@ fn needles_and_plates() {
     let sizes = [1.0, f64::EPSILON.sqrt(), f64::EPSILON * 2.0f64.powi(-8)];
     let turned = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
     let generators: Vec<[f64; 3]> = turned.iter().zip(sizes).map(|(v, s)| v.map(|c| c * s)).collect();
-    let depth = by_inner_polytope::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"));
+    let depth = by_inner_polytope::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"), &mut ());
     assert!(depth.lower <= sizes[2] && sizes[2] <= depth.upper && depth.is_within(ACCURACY), "{depth:?}");
     assert_eq!(depth.direction.map(f64::abs), [0.0, 0.0, 1.0]);
 }
@@ -122,7 +122,7 @@ fn bodies_of_the_smallest_doubles_and_needles_take_few_steps() {
     for generators in bodies {
         let query = Query::new([0.0; 3], [0.0; 3], generators).expect("finite");
         let mut counts = OperationCounts::default();
-        let depth = by_inner_polytope::penetration_counted(&query, &mut counts);
+        let depth = by_inner_polytope::penetration(&query, &mut counts);
         let truth = brute_force::squared_depth(&query).expect("the centre is inside");
         assert!(holds(&depth, &truth), "{generators:?} {depth:?}");
         assert!(counts.get(Operation::SearchStep) < 50, "{generators:?} {}", counts.get(Operation::SearchStep));
@@ -157,7 +157,7 @@ fn overlaps_far_smaller_than_the_bodies_are_within_a_hundredth() {
         for part in [1e-3, 1e-9, 1e-13, 1e-15] {
             let to = beneath_a_facet(&generators, part);
             let query = Query::new([0.0; 3], to, &generators).expect("finite");
-            let depth = by_inner_polytope::penetration(&query);
+            let depth = by_inner_polytope::penetration(&query, &mut ());
             assert!(depth.is_within(ACCURACY), "{count} {part} {depth:?}");
             if count == 20 {
                 let exact = by_facet_normals::penetration(&query);
@@ -179,7 +179,8 @@ fn prisms_lattices_and_sums_of_boxes() {
     for generators in [prism, lattice, boxes] {
         for to in [[0.0; 3], [0.5, 0.25, 0.125], [3.0, 0.0, 0.0], [0.0, 0.0, 2.5]] {
             let query = Query::new([0.0; 3], to, &generators).expect("finite");
-            let (depth, exact) = (by_inner_polytope::penetration(&query), by_facet_normals::penetration(&query));
+            let (depth, exact) =
+                (by_inner_polytope::penetration(&query, &mut ()), by_facet_normals::penetration(&query));
             assert!(depth.is_within(ACCURACY) && depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?}");
         }
     }
@@ -193,7 +194,7 @@ fn lengths_that_differ_by_all_exponents() {
     for scale in [0.0, 0.5, 0.999] {
         let to = inner_point(&generators, &[scale; 5]);
         let query = Query::new([0.0; 3], to, &generators).expect("finite");
-        let (depth, exact) = (by_inner_polytope::penetration(&query), by_facet_normals::penetration(&query));
+        let (depth, exact) = (by_inner_polytope::penetration(&query, &mut ()), by_facet_normals::penetration(&query));
         assert!(depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?} {exact:?}");
         assert!(depth.is_within(ACCURACY) || exact.upper < 1e-300, "{depth:?} {exact:?}");
     }

@@ -45,7 +45,7 @@ fn guessed_direction(reduced: &Reduced, target: &Target<'_>, tally: &mut dyn Tal
         return None;
     }
     let query = Query::of_finite(target.query.from(), target.query.to(), &body);
-    let facet = by_lad::facet_counted(&query, tally);
+    let facet = by_lad::facet(&query, tally);
     let &[first, second] = facet.basis() else { return None };
     let direction = cross(&exact(body[first]), &exact(body[second]));
     match dot(&direction, &target.direction).sign() {

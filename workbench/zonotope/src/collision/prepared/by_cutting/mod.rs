@@ -64,9 +64,6 @@
 //! [`PreparationError::TooMany`] ⇔ there are more than 2^31 generators. `NonFinite` ⇔ a coordinate of the point is NaN
 //! or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`by_lad`](crate::collision::by_lad) and [`brute_force`](crate::collision::brute_force) on all families, points of
 //! the boundary included; the crate `verifier` on every proof.
@@ -77,8 +74,8 @@
 //! use zonotope::collision::{Status, prepared::by_cutting::PreparedByCutting};
 //! // the cube [−1, 1]³ with all the space that three generators can use
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).unwrap();
-//! let prepared = PreparedByCutting::new(cube, 9, 0).unwrap();
-//! let facet = prepared.facet([2.0, 0.5, -1.0]).unwrap();
+//! let prepared = PreparedByCutting::new(cube, 9, 0, &mut ()).unwrap();
+//! let facet = prepared.facet([2.0, 0.5, -1.0], &mut ()).unwrap();
 //! assert_eq!((facet.value().0, facet.status()), (2.0, Status::Outside));
 //! assert_eq!(prepared.contains([1.0, -1.0, 0.25]), Ok(true));
 //! ```
@@ -154,20 +151,7 @@ impl PreparedByCutting {
     ///
     /// # Errors
     /// [`PreparationError`] if m is not between n and n², or there are more than 2^31 generators.
-    pub fn new(body: Zonotope<3>, space: u64, seed: u64) -> Result<Self, PreparationError> {
-        Self::new_counted(body, space, seed, &mut ())
-    }
-
-    /// [`new`](Self::new), counting its operations.
-    ///
-    /// # Errors
-    /// [`PreparationError`] if m is not between n and n², or there are more than 2^31 generators.
-    pub fn new_counted(
-        body: Zonotope<3>,
-        space: u64,
-        seed: u64,
-        tally: &mut impl Tally,
-    ) -> Result<Self, PreparationError> {
+    pub fn new(body: Zonotope<3>, space: u64, seed: u64, tally: &mut impl Tally) -> Result<Self, PreparationError> {
         let generators = body.generators().len() as u64;
         if generators > GENERATOR_LIMIT as u64 {
             return Err(PreparationError::TooMany { generators });
@@ -211,15 +195,7 @@ impl PreparedByCutting {
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn facet(&self, point: [f64; 3]) -> Result<Facet<'_>, NonFinite> {
-        self.facet_counted(point, &mut ())
-    }
-
-    /// [`facet`](Self::facet), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn facet_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Facet<'_>, NonFinite> {
+    pub fn facet(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Facet<'_>, NonFinite> {
         let query = Query::of_point(point, &self.body)?;
         let Some(target) = Target::new(query) else { return Ok(Facet::of_center(query, self.spans_space)) };
         let (vertex, is_opposite) = self.optimum(target, tally);
@@ -231,7 +207,7 @@ impl PreparedByCutting {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(self.facet(point)?.is_member())
+        Ok(self.facet(point, &mut ())?.is_member())
     }
 
     /// Where a point lies, with a proof, which takes O(n) more.
@@ -240,7 +216,7 @@ impl PreparedByCutting {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
         let query = Query::of_point(point, &self.body)?;
-        Ok(self.facet(point)?.location().with_nearest_basis(&query))
+        Ok(self.facet(point, &mut ())?.location().with_nearest_basis(&query))
     }
 
     /// How many times the body must be taken, from its centre, to hold a point; with the proof of where the point lies,
@@ -250,7 +226,7 @@ impl PreparedByCutting {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
         let query = Query::of_point(point, &self.body)?;
-        Ok(self.facet(point)?.gauge().with_nearest_basis(&query))
+        Ok(self.facet(point, &mut ())?.gauge().with_nearest_basis(&query))
     }
 
     /// The optimum for a displacement, or for its opposite, which the second value says.

@@ -79,11 +79,11 @@ fn answers_are_those_of_the_static_kernel_and_verify() {
             let points = points(&body, random);
             let n = n as u64;
             for space in [n, n * n.isqrt(), n * n] {
-                let prepared = PreparedByCutting::new(body.clone(), space, 3).expect("between n and n²");
+                let prepared = PreparedByCutting::new(body.clone(), space, 3, &mut ()).expect("between n and n²");
                 for &point in &points {
                     let query = Query::of_point(point, &body).expect("finite");
-                    let facet = prepared.facet(point).expect("finite");
-                    let truth = by_lad::gauge(&query);
+                    let facet = prepared.facet(point, &mut ()).expect("finite");
+                    let truth = by_lad::gauge(&query, &mut ());
                     let place = format!("{} n = {n} m = {space} {point:?}", kind.0);
                     assert_eq!(facet.status(), truth.location.status(), "{place}");
                     let (value, error) = facet.value();
@@ -106,7 +106,7 @@ fn small_bodies_answer_as_brute_force_does() {
     for kind in KINDS {
         for n in 0..7 {
             let body = body(kind, n, random);
-            let prepared = PreparedByCutting::new(body.clone(), (n * n) as u64, 0).expect("between n and n²");
+            let prepared = PreparedByCutting::new(body.clone(), (n * n) as u64, 0, &mut ()).expect("between n and n²");
             for point in points(&body, random) {
                 let query = Query::of_point(point, &body).expect("finite");
                 let truth = brute_force::gauge(&query);
@@ -123,9 +123,10 @@ fn small_bodies_answer_as_brute_force_does() {
 fn the_seed_decides_no_answer() {
     let random = &mut Pcg64Mcg::seed_from_u64(3);
     let body = body(KINDS[1], 30, random);
-    let [first, second] = [1, 2].map(|seed| PreparedByCutting::new(body.clone(), 300, seed).expect("between n and n²"));
+    let [first, second] =
+        [1, 2].map(|seed| PreparedByCutting::new(body.clone(), 300, seed, &mut ()).expect("between n and n²"));
     for point in points(&body, random) {
-        let [own, other] = [&first, &second].map(|prepared| prepared.facet(point).expect("finite"));
+        let [own, other] = [&first, &second].map(|prepared| prepared.facet(point, &mut ()).expect("finite"));
         assert_eq!((own.value(), own.status()), (other.value(), other.status()), "{point:?}");
     }
 }
@@ -133,11 +134,12 @@ fn the_seed_decides_no_answer() {
 #[test]
 fn spaces_outside_of_the_range_are_refused() {
     let square = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
-    let error = |space| PreparedByCutting::new(square.clone(), space, 0).map(drop).expect_err("outside of the range");
+    let error =
+        |space| PreparedByCutting::new(square.clone(), space, 0, &mut ()).map(drop).expect_err("outside of the range");
     assert_eq!(error(1), PreparationError::TooLittleSpace { space: 1, generators: 2 });
     assert_eq!(error(5), PreparationError::TooMuchSpace { space: 5, generators: 2 });
     assert_eq!(error(5).to_string(), "a space of 5 is more than the square of the number of generators, 2");
-    let prepared = PreparedByCutting::new(square, 4, 0).expect("n²");
+    let prepared = PreparedByCutting::new(square, 4, 0, &mut ()).expect("n²");
     assert!(prepared.contains([f64::NAN, 0.0, 0.0]).is_err() && prepared.locate([0.0, f64::INFINITY, 0.0]).is_err());
 }
 
@@ -145,8 +147,8 @@ fn spaces_outside_of_the_range_are_refused() {
 #[test]
 fn flat_bodies_have_no_inside() {
     let square = Zonotope::new([1.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
-    let prepared = PreparedByCutting::new(square, 4, 0).expect("n²");
-    let facet = |point| prepared.facet(point).expect("finite");
+    let prepared = PreparedByCutting::new(square, 4, 0, &mut ()).expect("n²");
+    let facet = |point| prepared.facet(point, &mut ()).expect("finite");
     assert_eq!((facet([1.0; 3]).value(), facet([1.0; 3]).status()), ((0.0, 0.0), Status::Boundary));
     assert_eq!((facet([1.5, 1.0, 1.0]).value().0, facet([1.5, 1.0, 1.0]).status()), (0.5, Status::Boundary));
     assert_eq!(facet([1.0, 1.0, 2.0]).value(), (f64::INFINITY, 0.0));
@@ -161,11 +163,11 @@ fn more_space_makes_queries_cheaper() {
     let body = body(KINDS[0], 1024, random);
     let directions: Vec<[f64; 3]> = (0..50).map(|_| [0, 1, 2].map(|_| random.random_range(-1.0..1.0))).collect();
     let cost = |space: u64| {
-        let prepared = PreparedByCutting::new(body.clone(), space, 0).expect("between n and n²");
+        let prepared = PreparedByCutting::new(body.clone(), space, 0, &mut ()).expect("between n and n²");
         assert!(prepared.bytes() < 400 * space, "{} bytes for {space}", prepared.bytes());
         let mut counts = OperationCounts::default();
         for &point in &directions {
-            prepared.facet_counted(point, &mut counts).expect("finite");
+            prepared.facet(point, &mut counts).expect("finite");
         }
         let of = |operations: &[Operation]| operations.iter().map(|o| counts.get(*o)).sum::<u64>() / 50;
         let location = of(&[Operation::SearchStep, Operation::Comparison, Operation::LineEvaluation]);

@@ -43,7 +43,7 @@ impl Reduced {
         tally.add(Operation::PartEvaluation, self.members.len() as u64);
         let chart = ExactChart::new(target.p.clone(), Some(rounded_direction(center)));
         let plane = ChartProblem::new(Vectors::some(&target.query, self.members.clone()), &self.others, chart);
-        let optimum = match by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally) {
+        let optimum = match by_pruning::minimize(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally) {
             LadOutcome::Optimal(optimum) => optimum,
             LadOutcome::Unbounded { direction: [x, y] } => return Err(plane.direction([x, y, Dyadic::zero()])),
         };

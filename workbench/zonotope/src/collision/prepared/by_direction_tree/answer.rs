@@ -1,4 +1,4 @@
-//! What the tree answers: a status with a proof of constant size, which is written out when it is asked for.
+//! The answer of the tree: a status with a proof of constant size, which is written out when it is asked for.
 
 use std::cmp::Ordering;
 
@@ -18,7 +18,7 @@ use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::tolerance::NODE_BODY_STRETCH;
 use crate::zonotope::placed::{AtRest, Standing};
 
-/// Where a displacement lies relative to the bodies of one or two trees, with a proof that was not written out.
+/// The location of a displacement relative to the bodies of one or two trees, with a proof that was not written out.
 #[derive(Debug)]
 pub struct Located<'t, P = AtRest> {
     pub(super) query: TreeQuery<'t, P>,
@@ -37,14 +37,14 @@ pub(super) enum Certified {
     Facet(Optimum),
 }
 
-/// How many times the bodies must be taken to hold a displacement.
+/// The gauge: the number of times that the bodies must be taken to hold a displacement.
 #[derive(Debug)]
 pub struct Measured<'t, P = AtRest> {
     /// The gauge, within [`error`](Self::error).
     pub value: f64,
     /// A bound for |`value` − gauge|.
     pub error: f64,
-    /// Where the displacement lies.
+    /// The location of the displacement.
     pub location: Located<'t, P>,
 }
 

@@ -29,8 +29,8 @@ use crate::zonotope::placed::{Placed, Standing};
 use crate::zonotope::query::Query;
 
 impl<P: Standing> TreeQuery<'_, P> {
-    /// Where the displacement ends, if it is far inside or outside: from nodes, or where sums of nodes are of no use,
-    /// from the generators.
+    /// The location of the displacement, if it is far inside or outside: from nodes, or where sums of nodes are of no
+    /// use, from the generators.
     pub(super) fn early(&self, tally: &mut dyn Tally) -> Option<Certified> {
         if self.is_located_by_nodes() {
             return self.located_by_nodes(tally);
@@ -51,7 +51,7 @@ impl<P: Standing> TreeQuery<'_, P> {
             && (P::IS_FIXED || is_near())
     }
 
-    /// Where the displacement ends, if the nodes of a front tell.
+    /// The location of the displacement, if the nodes of a front decide it.
     fn located_by_nodes(&self, tally: &mut dyn Tally) -> Option<Certified> {
         let p = self.query.rounded_displacement();
         // the bodies of the first fronts where the trees stand, apart by a longer way

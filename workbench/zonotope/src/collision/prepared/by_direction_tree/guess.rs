@@ -30,10 +30,10 @@ const LAST_CHANGE: f64 = 1e-4;
 /// By how much the widths are made larger where the nodes within theirs are all parallel.
 const WIDENING_FACTOR: f64 = 8.0;
 
-/// How often the widths are made larger.
+/// The number of times that the widths are made larger.
 const WIDENING_LIMIT: usize = 8;
 
-/// How many standard deviations of the gradient a cell allows for, if a node that is cut had all of its generators on
+/// The standard deviations of the gradient that a cell allows for, if a node that is cut had all of its generators on
 /// one side.
 const DEVIATIONS: f64 = 0.65;
 
@@ -44,19 +44,19 @@ const BELIEVED_DISTANCE: f64 = 4.0;
 /// Memory for so many nodes is taken for those of a level that cross a cell; few cells are crossed by more.
 const LIKELY_NODES: usize = 1024;
 
-/// How many levels of the tree one search skips.
+/// The number of levels of the tree that one search skips.
 const LEVELS_AT_ONCE: usize = 2;
 
 /// Nodes that cross a cell, and the sum of all others.
 struct Reduced<'t> {
     /// The sums of the nodes under the matrices of their trees, tree by tree.
     sums: Cow<'t, [[f64; 3]]>,
-    /// How wide the nodes of each tree are, before any matrix.
+    /// The widths of the nodes of each tree, before any matrix.
     widths: SmallVec<[Widths<'t>; 2]>,
     fixed: [f64; 3],
 }
 
-/// How wide some nodes of a tree are.
+/// The widths of some nodes of a tree.
 struct Widths<'t> {
     frame: Option<Frame<'t>>,
     of_nodes: Cow<'t, [[[f64; 3]; 2]]>,

@@ -21,7 +21,7 @@
 //!    the generators of crossed leaves are read (`walk`). For a single direction these are the leaves on a great
 //!    circle. That makes the tree an implementor of the kernel's seam (`query`), and every stage of the kernel runs on
 //!    it.
-//! 3. A point far inside or far outside is told by a hundred nodes, the sums of which are a body within Z, and whose
+//! 3. A point far inside or far outside is located by a hundred nodes, the sums of which are a body within Z, and whose
 //!    slabs bound Z from outside (`early`).
 //! 4. For other points the nodes give a cell that probably holds the optimum, level by level (`guess`); the kernel sums
 //!    up what misses it, searches the few generators that cross it, and certifies what it finds. Where the point is too
@@ -32,11 +32,11 @@
 //!    asked for (`answer`).
 //!
 //! # Complexity
-//! n generators: built in O(n log n), about 32 bytes for each, the generators themselves included. Clear points O(1).
-//! Of random bodies a support value and an exact query take O(√n), as a great circle meets that many leaves: n from
-//! 2^10 to 2^14, an exact query reads 15 to 30 √n nodes and generators. Where the body is flat, many generators are
-//! parallel to the optimum's facet, or lengths are far apart, the kernel's other rungs read all generators, some of
-//! them several times: of bodies near a plane, up to 4 times what the kernel reads without a tree.
+//! n generators: built in O(n log n), about 32 bytes for each, the generators themselves included. Points far from the
+//! boundary O(1). Of random bodies a support value and an exact query take O(√n), as a great circle meets that many
+//! leaves: n from 2^10 to 2^14, an exact query reads 15 to 30 √n nodes and generators. Where the body is flat, many
+//! generators are parallel to the optimum's facet, or lengths are far apart, the kernel's other rungs read all
+//! generators, some of them several times: of bodies near a plane, up to 4 times what the kernel reads without a tree.
 //!
 //! # Shapes
 //! `body`: any order, duplicates allowed. Bases and coefficients are those of the body's order.
@@ -49,9 +49,6 @@
 //! # Errors
 //! [`NonFinite`] if a coordinate of a point or direction is NaN or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The kernel without a tree and the rational twin, on all families; the verifier, on every proof that is written out.
 //!
@@ -63,8 +60,8 @@
 //! // the cube [−1, 1]³
 //! let axes = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let tree = DirectionTree::new(&Zonotope::new([0.0; 3], axes).unwrap());
-//! assert_eq!(tree.locate([0.5, 1.0, 0.0]).unwrap().status(), Status::Boundary);
-//! assert_eq!(tree.gauge([2.0, 0.0, 1.0]).unwrap().value, 2.0);
+//! assert_eq!(tree.locate([0.5, 1.0, 0.0], &mut ()).unwrap().status(), Status::Boundary);
+//! assert_eq!(tree.gauge([2.0, 0.0, 1.0], &mut ()).unwrap().value, 2.0);
 //! ```
 
 mod answer;
@@ -97,8 +94,8 @@ use crate::tally::Tally;
 use crate::zonotope::query::Query;
 use crate::zonotope::{PreparedBody, Zonotope};
 
-/// At most so many nodes tell what is clear: the body of their sums reaches as far as the body itself but for some
-/// percent.
+/// The most nodes that locate points far from the boundary: the body of their sums reaches as far as the body itself
+/// but for some percent.
 const FIRST_FRONT: usize = 96;
 
 /// At most so many nodes are searched without a cell.
@@ -131,7 +128,7 @@ pub struct DirectionTree {
     is_moderate: bool,
     /// s such that the gauge of any x is at most s |x|_1; infinite where doubles do not tell.
     gauge_bound: f64,
-    /// Whether rounded sums of nodes tell what is clear.
+    /// Whether rounded sums of nodes locate points far from the boundary.
     is_located_by_nodes: bool,
     /// Whether the generators span space.
     is_solid: bool,
@@ -172,7 +169,7 @@ impl DirectionTree {
         }
     }
 
-    /// How many generators the body has.
+    /// The number of generators of the body.
     pub fn len(&self) -> usize {
         self.rows.len()
     }
@@ -196,38 +193,22 @@ impl DirectionTree {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(self.locate(point)?.is_member())
+        Ok(self.locate(point, &mut ())?.is_member())
     }
 
-    /// Where a point lies relative to the body, exactly, with a proof that is written out on request.
+    /// The location of a point relative to the body, exactly, with a proof that is written out on request.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'_>, NonFinite> {
-        self.locate_counted(point, &mut ())
+    pub fn locate(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'_>, NonFinite> {
+        self.placed().locate(point, tally)
     }
 
-    /// [`locate`](Self::locate), counting its operations.
+    /// The gauge: the number of times that the body must be taken, from its centre, to hold a point.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'_>, NonFinite> {
-        self.placed().locate_counted(point, tally)
-    }
-
-    /// How many times the body must be taken, from its centre, to hold a point.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Measured<'_>, NonFinite> {
-        self.gauge_counted(point, &mut ())
-    }
-
-    /// [`gauge`](Self::gauge), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'_>, NonFinite> {
-        self.placed().gauge_counted(point, tally)
+    pub fn gauge(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'_>, NonFinite> {
+        self.placed().gauge(point, tally)
     }
 }

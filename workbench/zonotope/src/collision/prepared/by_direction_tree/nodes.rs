@@ -87,7 +87,7 @@ impl NodeBlock {
         Self { sum, middle, side, half, weight }
     }
 
-    /// How wide a node is: its weight times the side and times half the other sides.
+    /// The width of a node: its weight times the side and times half the other sides.
     pub(super) fn width(&self, lane: usize) -> [[f64; 3]; 2] {
         [&self.side, &self.half].map(|block| block.vector(lane).map(|c| c * self.weight[lane]))
     }
@@ -124,7 +124,7 @@ impl Face {
         u64::MAX >> (u64::BITS as usize - count.min(CHILDREN))
     }
 
-    /// How many leaves there are.
+    /// The number of leaves.
     pub(super) fn leaves(&self) -> usize {
         self.rows.len().div_ceil(LEAF)
     }
@@ -167,7 +167,7 @@ pub(super) struct Front {
     pub(super) rows: Vec<Range<usize>>,
     /// The level whose nodes are as large, or the next one above.
     pub(super) level: usize,
-    /// How wide each is.
+    /// The width of each.
     pub(super) widths: Vec<[[f64; 3]; 2]>,
 }
 

@@ -54,7 +54,7 @@ impl TreePart<'_> {
         self.in_frame(u, |u| tree.centred_support(u))
     }
 
-    /// What a function makes of Mᵀ u in the place of Σ |v · u|, with what the rounding of Mᵀ u may take off that sum.
+    /// The value of a function of Mᵀ u in the place of Σ |v · u|, with what the rounding of Mᵀ u may take off that sum.
     pub(super) fn in_frame(&self, u: &[f64; 3], of: impl FnOnce(&[f64; 3]) -> Bounded) -> Bounded {
         let Some(frame) = self.frame else { return of(u) };
         let Bounded { value, error } = of(&frame.pulled(u));

@@ -28,9 +28,6 @@
 //! # Errors
 //! [`NonFinite`] if a coordinate of a point is NaN or infinite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The kernel without a tree, and `brute_force`.
 //!
@@ -41,7 +38,7 @@
 //! let axes = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let tree = DirectionTree::new(&Zonotope::new([0.0; 3], axes).unwrap());
 //! let moved = Pose::from_translation([2.0, 0.0, 0.0]).unwrap();
-//! assert_eq!(tree.at(&moved).locate([1.0, 0.0, 0.0]).unwrap().status(), Status::Boundary);
+//! assert_eq!(tree.at(&moved).locate([1.0, 0.0, 0.0], &mut ()).unwrap().status(), Status::Boundary);
 //! ```
 
 use super::DirectionTree;
@@ -75,50 +72,29 @@ impl DirectionTree {
 }
 
 impl<'t, P: Standing> PlacedTree<'t, P> {
-    /// Where a point lies relative to the body, exactly, with a proof that is written out on request.
+    /// The location of a point relative to the body, exactly, with a proof that is written out on request.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'t, P>, NonFinite> {
-        self.locate_counted(point, &mut ())
-    }
-
-    /// [`locate`](Self::locate), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'t, P>, NonFinite> {
+    pub fn locate(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Located<'t, P>, NonFinite> {
         Ok(self.query_about(point)?.located(tally))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point.
+    /// The gauge: the number of times that the body must be taken, from its centre, to hold a point.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Measured<'t, P>, NonFinite> {
-        self.gauge_counted(point, &mut ())
-    }
-
-    /// [`gauge`](Self::gauge), counting its operations.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge_counted(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'t, P>, NonFinite> {
+    pub fn gauge(&self, point: [f64; 3], tally: &mut dyn Tally) -> Result<Measured<'t, P>, NonFinite> {
         Ok(self.query_about(point)?.measured(tally))
     }
 
-    /// How two bodies meet where they stand (Lemma 5.1), exactly: inside if their interiors have a point in common,
-    /// boundary if they only touch or their sum is flat, outside if they are disjoint.
-    pub fn intersection(&self, other: &Self) -> Located<'t, P> {
-        self.intersection_counted(other, &mut ())
-    }
-
-    /// [`intersection`](Self::intersection), counting its operations.
-    pub fn intersection_counted(&self, other: &Self, tally: &mut dyn Tally) -> Located<'t, P> {
+    /// The status of two bodies where they stand (Lemma 5.1), exactly: inside if their interiors have a point in
+    /// common, boundary if they only touch or their sum is flat, outside if they are disjoint.
+    pub fn intersection(&self, other: &Self, tally: &mut dyn Tally) -> Located<'t, P> {
         self.query_between(other).located(tally)
     }
 
-    /// How many times both bodies must be taken, each about its centre, until they touch.
+    /// The number of times that both bodies must be taken, each about its centre, until they touch.
     pub fn gauge_between(&self, other: &Self) -> Measured<'t, P> {
         self.query_between(other).measured(&mut ())
     }

@@ -1,4 +1,4 @@
-//! How far the body reaches in a direction, exactly, and a vertex where it does.
+//! The support value of the body in a direction, exactly, and a vertex that has it.
 
 use super::DirectionTree;
 use super::query::TreeQuery;

@@ -46,7 +46,7 @@ fn point(rows: &[[f64; 3]], factor: f64, random: &mut Pcg64Mcg) -> [f64; 3] {
 
 /// Everything that a tree says of a point, against a location that is right.
 fn check(tree: &DirectionTree, query: &Query<'_, 3>, truth: &Location<3>) {
-    let located = tree.locate(query.to()).expect("finite");
+    let located = tree.locate(query.to(), &mut ()).expect("finite");
     assert_eq!(located.status(), truth.status(), "{} generators", query.len());
     let written = located.expand();
     assert_eq!(written.status(), truth.status());
@@ -57,8 +57,8 @@ fn check(tree: &DirectionTree, query: &Query<'_, 3>, truth: &Location<3>) {
         Certificate::Sums(parts) => assert!(parts.len() <= FIRST_FRONT && located.status() == Status::Inside),
         Certificate::Written(witness) => assert_eq!(witness.coefficients.len(), query.len()),
     }
-    let measured = tree.gauge(query.to()).expect("finite");
-    let gauge = by_lad::gauge(query);
+    let measured = tree.gauge(query.to(), &mut ()).expect("finite");
+    let gauge = by_lad::gauge(query, &mut ());
     assert_eq!(measured.location.status(), truth.status());
     assert_eq!(check_location(query, &measured.location.expand()).proof().map(drop), Ok(()));
     let is_same = measured.value == gauge.value || (measured.value - gauge.value).abs() <= measured.error + gauge.error;
@@ -75,15 +75,15 @@ fn a_cube_worked_out_by_hand() {
         ([2.0, 0.5, -1.0], Status::Boundary, 1.0),
         ([0.0, -3.0, 0.0], Status::Outside, 3.0),
     ] {
-        assert_eq!(tree.locate(point).map(|located| located.status()), Ok(status));
-        assert_eq!(tree.gauge(point).expect("finite").value, gauge);
+        assert_eq!(tree.locate(point, &mut ()).map(|located| located.status()), Ok(status));
+        assert_eq!(tree.gauge(point, &mut ()).expect("finite").value, gauge);
     }
     let top = tree.support([0.0, 0.0, 2.0]).expect("finite");
     // a generator that is orthogonal to the direction has the coefficient 1
     assert_eq!((top.value(), top.point()), (2.0, [2.0, -1.0, 1.0]));
-    assert!(tree.locate([f64::NAN; 3]).is_err() && tree.support([f64::INFINITY; 3]).is_err());
+    assert!(tree.locate([f64::NAN; 3], &mut ()).is_err() && tree.support([f64::INFINITY; 3]).is_err());
     let none = DirectionTree::new(&Zonotope::new([0.0; 3], vec![]).expect("finite"));
-    assert_eq!(none.locate([0.0; 3]).map(|located| located.status()), Ok(Status::Boundary));
+    assert_eq!(none.locate([0.0; 3], &mut ()).map(|located| located.status()), Ok(Status::Boundary));
     assert_eq!(none.contains([0.0, 0.0, 1e-300]), Ok(false));
     assert!(none.is_empty() && tree.len() == 4);
 }
@@ -114,7 +114,7 @@ fn many_generators_are_located_as_without_a_tree() {
             for factor in [0.4, 0.97, 1.0, 1.0 + 1e-9, 1.3] {
                 let p = point(&rows, factor, random);
                 let query = Query::of_finite(center, [0, 1, 2].map(|k| p[k] + center[k]), &rows);
-                check(&tree, &query, &by_lad::locate(&query));
+                check(&tree, &query, &by_lad::locate(&query, &mut ()));
             }
         }
     }
@@ -200,11 +200,11 @@ fn a_large_body_is_asked_without_a_pass() {
     for _ in 0..10 {
         let p = [0; 3].map(|_| random.random_range(-1.0..1.0));
         let mut counts = OperationCounts::default();
-        let gauge = tree.gauge_counted(p, &mut counts).expect("finite").value;
+        let gauge = tree.gauge(p, &mut counts).expect("finite").value;
         assert!(counts.get(Operation::GeneratorRead) < n as u64 / 8, "{counts:?}");
         for (factor, status) in [(0.5, Status::Inside), (1.0 - 1e-9, Status::Inside), (1.0 + 1e-9, Status::Outside)] {
             let mut counts = OperationCounts::default();
-            let located = tree.locate_counted(p.map(|c| factor * c / gauge), &mut counts).expect("finite");
+            let located = tree.locate(p.map(|c| factor * c / gauge), &mut counts).expect("finite");
             assert_eq!(located.status(), status);
             assert!(counts.get(Operation::GeneratorRead) < n as u64 / 8, "{counts:?}");
         }

@@ -26,7 +26,7 @@ pub(super) struct Nodes {
     pub(super) lanes: u64,
 }
 
-/// What is done with the nodes on the way.
+/// The function that is given the nodes on the way.
 pub(super) trait Visitor {
     /// Nodes that no plane of the cell cuts, with a bit for each whose products with the cell are negative.
     #[inline(always)]
@@ -36,12 +36,12 @@ pub(super) trait Visitor {
     fn crossed(&mut self, nodes: Nodes);
 }
 
-/// What a walk leaves.
+/// The outcome of a walk.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Walked {
     /// Σ sign · sum over the nodes that do not cross the cell.
     pub(super) sum: [f64; 3],
-    /// How many nodes were looked at.
+    /// The number of nodes that were looked at.
     pub(super) read: usize,
 }
 

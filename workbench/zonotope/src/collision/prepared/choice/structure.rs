@@ -73,7 +73,9 @@ impl QueryStructure {
             Kind::Rows => Held::Rows(body),
             Kind::Blocks => Held::Blocks(PreparedBody::new(body)),
             Kind::DirectionTree => Held::DirectionTree(Box::new(DirectionTree::new(&body))),
-            Kind::Cutting { space } => Held::Cutting(Box::new(PreparedByCutting::new(body, space, DEFAULT_SEED)?)),
+            Kind::Cutting { space } => {
+                Held::Cutting(Box::new(PreparedByCutting::new(body, space, DEFAULT_SEED, &mut ())?))
+            }
             Kind::Facets => Held::Facets(PreparedByFacets::new(body)),
         };
         Ok(Self { kind, held })
@@ -112,8 +114,8 @@ impl QueryStructure {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn status(&self, point: [f64; 3]) -> Result<Status, NonFinite> {
         match &self.held {
-            Held::DirectionTree(tree) => Ok(tree.locate(point)?.status()),
-            Held::Cutting(cutting) => Ok(cutting.facet(point)?.status()),
+            Held::DirectionTree(tree) => Ok(tree.locate(point, &mut ())?.status()),
+            Held::Cutting(cutting) => Ok(cutting.facet(point, &mut ())?.status()),
             Held::Facets(facets) => facets.status(point),
             Held::Rows(_) | Held::Blocks(_) => Ok(self.locate(point)?.status()),
         }
@@ -125,10 +127,10 @@ impl QueryStructure {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<(f64, f64), NonFinite> {
         match &self.held {
-            Held::Rows(body) => Ok(by_lad::facet(&Query::of_point(point, body)?).value()),
-            Held::Blocks(body) => Ok(by_lad::facet(&Query::of_point_in(point, body.placed())?).value()),
-            Held::DirectionTree(tree) => tree.gauge(point).map(|measured| (measured.value, measured.error)),
-            Held::Cutting(cutting) => Ok(cutting.facet(point)?.value()),
+            Held::Rows(body) => Ok(by_lad::facet(&Query::of_point(point, body)?, &mut ()).value()),
+            Held::Blocks(body) => Ok(by_lad::facet(&Query::of_point_in(point, body.placed())?, &mut ()).value()),
+            Held::DirectionTree(tree) => tree.gauge(point, &mut ()).map(|measured| (measured.value, measured.error)),
+            Held::Cutting(cutting) => Ok(cutting.facet(point, &mut ())?.value()),
             Held::Facets(facets) => facets.gauge(point),
         }
     }
@@ -140,11 +142,11 @@ impl QueryStructure {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
         match &self.held {
-            Held::Rows(body) => Ok(by_lad::locate(&Query::of_point(point, body)?)),
-            Held::Blocks(body) => Ok(by_lad::locate(&Query::of_point_in(point, body.placed())?)),
-            Held::DirectionTree(tree) => Ok(tree.locate(point)?.expand()),
-            Held::Cutting(cutting) => Ok(cutting.facet(point)?.location()),
-            Held::Facets(facets) => Ok(by_lad::locate(&Query::of_point(point, facets.body())?)),
+            Held::Rows(body) => Ok(by_lad::locate(&Query::of_point(point, body)?, &mut ())),
+            Held::Blocks(body) => Ok(by_lad::locate(&Query::of_point_in(point, body.placed())?, &mut ())),
+            Held::DirectionTree(tree) => Ok(tree.locate(point, &mut ())?.expand()),
+            Held::Cutting(cutting) => Ok(cutting.facet(point, &mut ())?.location()),
+            Held::Facets(facets) => Ok(by_lad::locate(&Query::of_point(point, facets.body())?, &mut ())),
         }
     }
 }

@@ -59,7 +59,7 @@ fn check(structure: &QueryStructure, body: &Zonotope<3>) {
         let point =
             [0, 1, 2].map(|k| center[k] + [1.0, 0.5, 1.0 - 1e-12, 2.0][i as usize % 4] * (vertex[k] - center[k]));
         let query = Query::of_point(point, body).expect("finite");
-        let truth = by_lad::gauge(&query);
+        let truth = by_lad::gauge(&query, &mut ());
         let status = truth.location.status();
         assert_eq!(structure.status(point), Ok(status), "{:?}", structure.which());
         assert_eq!(structure.contains(point), Ok(status != Status::Outside));

@@ -23,7 +23,7 @@ use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
 use crate::zonotope::location::Witness;
 
-/// A share of more than this is taken to be 1: then others are solved for exactly, and nothing is told if it is not.
+/// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
 /// The proof, from the computed normal u of two generators with u · p > 0 and the signs of all products with it.
@@ -160,7 +160,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// What a pair tells, checked exactly.
+    /// The proof that a pair gives, checked exactly.
     fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location;

@@ -5,7 +5,7 @@
 //! f s_i with f = u · p / Σ |v_i · u| combine to p but for what the two of the facet and a third make up for. Both
 //! proofs stand by themselves. So a search need not certify that its vertex is the optimum before a location is proved
 //! from it, which takes longer than the proof: where the vertex is not the optimum, or rounding leaves a doubt,
-//! nothing is told.
+//! there is no answer.
 //!
 //! Every bound is in terms of coordinates and not of lengths: a body that is thin along an axis is as good as another.
 
@@ -30,8 +30,8 @@ use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNI
 use crate::tally::Rung;
 use crate::zonotope::location::Witness;
 
-/// How many generators are looked at for the third of a basis where the two of the facet make up for everything in its
-/// plane.
+/// The number of generators that are looked at for the third of a basis where the two of the facet make up for
+/// everything in its plane.
 const THIRD_CANDIDATES: usize = 8;
 
 /// A point whose gauge by the facet differs from 1 by no more than so many roundings is probably on the boundary.
@@ -143,7 +143,7 @@ fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3], mut signs: &mut [
     }
 }
 
-/// Where p lies, with its proof, if the facet of two generators tells. O(n).
+/// The location of p, with its proof, if the facet of two generators decides it. O(n).
 ///
 /// Of generators under a matrix, a sum is carried over in one more product, and each generator that is taken off it is
 /// rounded: fifteen roundings of each term more, for which the count of additions has room, as eight lanes add side by
@@ -199,7 +199,7 @@ struct Facet<'a> {
     sum: [f64; 3],
     /// The factor of the generators that are not in the basis.
     factor: f64,
-    /// How far each coordinate of what is left for the basis may be off.
+    /// A bound on the error of each coordinate that is left for the basis.
     errors: [f64; 3],
 }
 
@@ -280,7 +280,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// What a pair tells, checked exactly.
+    /// The proof that a pair gives, checked exactly.
     fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let location = location_by_pair(&query, &bounded::exact(p), pair)?.location;

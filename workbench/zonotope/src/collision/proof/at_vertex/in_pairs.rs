@@ -20,8 +20,8 @@ use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
 use crate::zonotope::location::{Location, Separation, Witness};
 
-/// Where p lies, with its proof, from the computed normal u of two generators, which is a × b or, if it is reversed,
-/// its opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
+/// The location of p, with its proof, from the computed normal u of two generators, which is a × b or, if it is
+/// reversed, its opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
 pub(super) fn location_in_pairs(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,

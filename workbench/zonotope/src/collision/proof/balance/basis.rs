@@ -4,7 +4,7 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero, rounded_direction};
 
-/// How many generators are proposed as the next of a basis.
+/// The number of generators that are proposed as the next of a basis.
 const PROPOSAL_LIMIT: usize = 3;
 
 /// Three independent vectors, the first `rank` of which are generators; the others are orthogonal to those.

@@ -296,8 +296,8 @@ mod tests {
                 let body = Zonotope::new([0.5; 3], rows.clone()).expect("finite");
                 let pose = Pose::from_axis_angle([1.0, 2.0, 3.0], f64::from(i as u32), p).expect("an axis");
                 let posed = Query::of_placed(body.at(&Pose::IDENTITY), body.at(&pose));
-                let plain = witness(&locate(&query)).map(|witness| compared(&query, witness));
-                let placed = witness(&locate(&posed)).map(|witness| compared(&posed, witness));
+                let plain = witness(&locate(&query, &mut ())).map(|witness| compared(&query, witness));
+                let placed = witness(&locate(&posed, &mut ())).map(|witness| compared(&posed, witness));
                 for was_told in plain.into_iter().chain(placed) {
                     (asked, told) = (asked + 1, told + usize::from(was_told));
                 }

@@ -15,7 +15,7 @@ use crate::numeric::linear::{cyclic_cross_products, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
 
-/// How many generators are tried as the third.
+/// The number of generators that are tried as the third.
 const THIRD_CANDIDATES: usize = 32;
 
 /// A margin of this part of 1 − 1 / λ is good enough to stop looking for a better third generator.
@@ -42,7 +42,7 @@ struct Attempt {
     third: usize,
     sign: f64,
     factor: f64,
-    /// How far the largest of the three coefficients is from 1, nearly.
+    /// The distance of the largest of the three coefficients from 1, nearly.
     margin: f64,
 }
 

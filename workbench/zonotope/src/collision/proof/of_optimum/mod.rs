@@ -3,12 +3,17 @@
 //!
 //! | rung | what it proves | without room for rounding |
 //! |---|---|---|
-//! | `RoundedDirection` | outside: the facet's direction in doubles, with room for every rounding error | the exact optimum |
-//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third ([`in_doubles`]) | `WellSpreadBasis` |
-//! | `WellSpreadBasis` | a member: one factor for all generators but three others, where those of the facet are nearly parallel | the exact optimum |
-//! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) | `RationalDirection` |
+//! | `RoundedDirection` | outside: the facet's direction in doubles, with room for every rounding error | the exact
+//! optimum |
+//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third
+//! ([`in_doubles`]) | `WellSpreadBasis` |
+//! | `WellSpreadBasis` | a member: one factor for all generators but three others, where those of the facet are nearly
+//! parallel | the exact optimum |
+//! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) |
+//! `RationalDirection` |
 //! | `RationalDirection` | outside, exactly: the direction itself | |
-//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`exactly`]) | `PivotedCoefficients` |
+//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`exactly`]) | `PivotedCoefficients`
+//! |
 //! | `PivotedCoefficients` | a member, exactly: group after group of coefficients is rounded ([`pivot`]) | |
 
 pub(crate) mod exactly;
@@ -34,7 +39,7 @@ use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
 
-/// Where the displacement of a query lies, with its proof, from an optimum for which no search was ended.
+/// The location of the displacement of a query, with its proof, from an optimum for which no search was ended.
 pub(in crate::collision) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
     proof(query, optimum, None, tally).counted(tally)
 }

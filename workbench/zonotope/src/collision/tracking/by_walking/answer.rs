@@ -73,7 +73,7 @@ impl<'t> Walked<'t> {
     pub fn location(&self) -> Location<3> {
         match &self.closest {
             Some(reach) => Location::Outside(Separation::near(&self.query, &reach.direction)),
-            None => by_lad::locate(&self.query).with_nearest_basis(&self.query),
+            None => by_lad::locate(&self.query, &mut ()).with_nearest_basis(&self.query),
         }
     }
 }

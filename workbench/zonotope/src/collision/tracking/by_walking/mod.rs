@@ -45,9 +45,6 @@
 //! # Errors
 //! [`WalkError`] if the generators of both bodies do not span space; [`NonFinite`] if a place is not finite.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The twins of location and distance, on small bodies of whole numbers;
 //! [`by_support_simplex`](crate::collision::distance::by_support_simplex), on frames of all families of bodies that

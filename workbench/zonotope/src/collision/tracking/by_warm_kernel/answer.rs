@@ -59,7 +59,7 @@ impl<'b> Tracked<'b> {
     /// direction, O(1) nearly always, or a coefficient for each generator, O(n).
     pub fn location(&self) -> Location<3> {
         let location = match &self.certificate {
-            Certificate::Near => locate(&self.query),
+            Certificate::Near => locate(&self.query, &mut ()),
             Certificate::Written(location) => location.clone(),
             Certificate::Rounded(optimum) => of_optimum::location(&self.query, optimum, &mut ()),
         };

@@ -35,12 +35,6 @@
 //! The status is exact for the poses as they are given. Sums are in doubles with a bound of their error, and what they
 //! leave open is decided by the kernel's exact rungs.
 //!
-//! # Errors
-//! None: poses and bodies were validated when they were made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](crate::collision::brute_force) and fresh queries, on frames of all families of bodies that drift,
 //! slide, touch, jump and spin; the verifier, on their proofs.
@@ -57,7 +51,7 @@
 //! let mut tracker = WarmTracker::new(&cube, &cube);
 //! for (x, status) in [(3.0, Status::Outside), (2.0, Status::Boundary), (1.0, Status::Inside)] {
 //!     let pose = Pose::from_translation([x, 0.0, 0.5]).unwrap();
-//!     assert_eq!(tracker.frame(&Pose::IDENTITY, &pose).status(), status);
+//!     assert_eq!(tracker.frame(&Pose::IDENTITY, &pose, &mut ()).status(), status);
 //! }
 //! ```
 //!
@@ -138,12 +132,7 @@ impl<'b> WarmTracker<'b> {
     }
 
     /// How the bodies meet under the poses of a frame.
-    pub fn frame(&mut self, first: &Pose, second: &Pose) -> Tracked<'b> {
-        self.frame_counted(first, second, &mut ())
-    }
-
-    /// [`frame`](Self::frame), counting its operations.
-    pub fn frame_counted(&mut self, first: &Pose, second: &Pose, tally: &mut dyn Tally) -> Tracked<'b> {
+    pub fn frame(&mut self, first: &Pose, second: &Pose, tally: &mut dyn Tally) -> Tracked<'b> {
         let query = Query::of_placed(self.bodies[0].at(first), self.bodies[1].at(second));
         if let Some(kept) = self.kept.as_ref().filter(|kept| kept.holds(&query, &self.extents)) {
             self.pace.told();

@@ -2,7 +2,7 @@
 
 use super::WarmTracker;
 use super::local_sums::LocalSums;
-use crate::collision::by_lad::{locate, locate_counted};
+use crate::collision::by_lad::locate;
 use crate::collision::{Query, Status, by_lad};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::sign_pass::Places;
@@ -33,7 +33,7 @@ fn spinning(bodies: &[PreparedBody; 2], angle: f64, gauges: impl Iterator<Item =
             |axis, times: f64| Pose::from_axis_angle(axis, times * i as f64 * angle, [0.0; 3]).expect("an axis");
         let [from, to] = [turned([1.0, 2.0, 3.0], 1.0), turned([0.0, 1.0, -1.0], -0.7)];
         let at = |distance: f64| Pose::new(to.matrix(), direction.map(|c| c * distance)).expect("finite");
-        let unit = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&at(1.0)))).value;
+        let unit = by_lad::gauge(&Query::of_placed(bodies[0].at(&from), bodies[1].at(&at(1.0))), &mut ()).value;
         [from, at(gauge / unit)]
     };
     gauges.enumerate().map(frame).collect()
@@ -45,9 +45,9 @@ fn reads(bodies: &[PreparedBody; 2], frames: &[[Pose; 2]], warm_up: usize) -> [u
     let mut totals = [0; 2];
     for (i, [from, to]) in frames.iter().enumerate() {
         let mut counts = [OperationCounts::default(); 2];
-        let tracked = tracker.frame_counted(from, to, &mut counts[0]);
+        let tracked = tracker.frame(from, to, &mut counts[0]);
         let query = Query::of_placed(bodies[0].at(from), bodies[1].at(to));
-        assert_eq!(tracked.status(), locate_counted(&query, &mut counts[1]).status());
+        assert_eq!(tracked.status(), locate(&query, &mut counts[1]).status());
         if i >= warm_up {
             [0, 1].into_iter().for_each(|k| totals[k] += counts[k].get(Operation::GeneratorRead));
         }
@@ -91,10 +91,10 @@ fn proofs_of_all_kinds_of_frames_are_written() {
     let gauges = (0..60).map(|i| [0.5, 0.51, 0.999, 1.0 - 1e-9, 1.001, 1.7, 1.69][i / 9]);
     let mut seen = [0; 2];
     for [from, to] in spinning(&bodies, 1e-4, gauges) {
-        let tracked = tracker.frame(&from, &to);
+        let tracked = tracker.frame(&from, &to, &mut ());
         let location = tracked.location();
         assert_eq!(location.status(), tracked.status());
-        assert_eq!(location.status(), locate(tracked.query()).status());
+        assert_eq!(location.status(), locate(tracked.query(), &mut ()).status());
         seen[usize::from(tracked.status() == Status::Inside)] += 1;
     }
     assert!(seen.iter().all(|&count| count > 10), "{seen:?}");

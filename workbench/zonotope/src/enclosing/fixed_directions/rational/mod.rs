@@ -26,12 +26,6 @@
 //! # Numerics
 //! Everything is exact rational arithmetic.
 //!
-//! # Errors
-//! None: the problem is valid by construction.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force), another method on the primal program, on every family of points and directions.
 //!

@@ -41,9 +41,6 @@
 //! [`TooManyDirections`](super::MinLengthError::TooManyDirections) ⇔ the net has more than 3000;
 //! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`in_the_plane`](super::in_the_plane) for D = 2; in any dimension the crate `verifier` checks the proof of the
 //! ratio.
@@ -52,7 +49,7 @@
 //! ```
 //! use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 //! let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
-//! let answer = by_direction_net::min_length_by_net(&square, 0.1, Net::Cells)?;
+//! let answer = by_direction_net::min_length_by_net(&square, 0.1, Net::Cells, &mut ())?;
 //! assert!(answer.value >= 2.0 && answer.ratio() <= 1.1); // the square itself: two half-sides
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
@@ -71,23 +68,13 @@ const DIRECTION_LIMIT: usize = 3000;
 /// The shortest zonotope along a net for the precision ε, whose length is within 1 + ε of the least over all
 /// directions.
 ///
-/// # Errors
-/// When the points or ε are refused, or the net is too large.
-pub fn min_length_by_net<const D: usize>(
-    points: &[[f64; D]],
-    epsilon: f64,
-    net: Net,
-) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    min_length_by_net_counted(points, epsilon, net, &mut ())
-}
-
-/// The same, counting what the linear programs read of points and of matrices, and the directions that are looked at
-/// to find those that are missing, once for each multiplier.
+/// Counted is what the linear programs read of points and of matrices, and the directions that are looked at to find
+/// those that are missing, once for each multiplier.
 ///
 /// # Errors
 /// When the points or ε are refused, or the net is too large.
 #[inline(never)]
-pub fn min_length_by_net_counted<const D: usize>(
+pub fn min_length_by_net<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
     net: Net,

@@ -68,9 +68,6 @@
 //! finite, or none; [`BadEpsilon`](super::MinLengthError::BadEpsilon) ⇔ ε not in (0, 1);
 //! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length exceeds the largest double.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`in_the_plane`](super::in_the_plane) for D = 2; vertices of zonotopes, whose own length is the optimum; the check
 //! of such answers in the crate `verifier`, which proves ratio and containment anew.

@@ -47,9 +47,6 @@
 //! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ the length leaves the range of doubles: with D generators there
 //! is the box along the axes around any points.
 //!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! The crate `verifier`, which proves ratio and containment anew; boxes and simplices, whose answers are known.
 //!

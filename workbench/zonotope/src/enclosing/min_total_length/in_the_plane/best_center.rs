@@ -275,6 +275,6 @@ fn centroid(polygon: &[[f64; 2]]) -> Option<[f64; 2]> {
 
 /// The vertices of the convex hull, counterclockwise.
 fn hull_of(points: &[[f64; 2]]) -> Vec<usize> {
-    let hull = convex_hull(points).expect("a frame of rank 2 has points, and finite ones");
+    let hull = convex_hull(points, &mut ()).expect("a frame of rank 2 has points, and finite ones");
     hull.indices().iter().map(|index| index.get()).collect()
 }

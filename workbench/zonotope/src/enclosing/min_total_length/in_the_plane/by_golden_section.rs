@@ -25,9 +25,6 @@
 //! Nothing is exact; the length is right to about a relative 1e-12. A golden-section search can place the centre only
 //! to about the square root of that, which costs the length nothing, as it is flat near its minimum.
 //!
-//! # Errors
-//! None.
-//!
 //! # Panics
 //! If there are no points or a coordinate is not finite.
 //!

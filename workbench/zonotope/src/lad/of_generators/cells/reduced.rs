@@ -23,7 +23,7 @@ pub(crate) struct Reduced {
     /// The cell in which the signs of the generators that were summed up last are right; `None` while no generator is
     /// summed up.
     pub(crate) cell: Option<DirectionCone>,
-    /// How far each of the vectors may be off, in terms of its length.
+    /// A bound on the error of each vector, in terms of its length.
     pub(crate) relative_error: f64,
 }
 

@@ -27,7 +27,7 @@ pub(crate) struct DecidedOptimum {
     pub(crate) cells: NestedCells,
     /// The gauge times λ exceeds 1 by at most this.
     slack: f64,
-    /// How the gauge compares to 1; never equal, which doubles cannot prove.
+    /// The order of the gauge and 1; never equal, which doubles cannot prove.
     pub(crate) order: Ordering,
 }
 
@@ -51,7 +51,7 @@ impl DecidedOptimum {
     }
 }
 
-/// How the gauge compares to 1, with the slack that decides it; `None` where doubles leave a doubt, or where the goal
+/// The order of the gauge and 1, with the slack that decides it; `None` where doubles leave a doubt, or where the goal
 /// is the gauge and its error is above [`GAUGE_ACCURACY`].
 pub(crate) fn compare(query: &dyn KernelQuery, optimum: &RoundedOptimum, goal: Goal) -> Option<(Ordering, f64)> {
     let mut slack = optimum.slack(f64::INFINITY);

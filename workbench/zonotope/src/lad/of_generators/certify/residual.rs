@@ -1,6 +1,6 @@
-//! What a vertex leaves of λ p when the coefficients of its two generators are kept within [−1, 1].
+//! The vector that a vertex leaves of λ p when the coefficients of its two generators are kept within [−1, 1].
 //!
-//! Where these two are nearly parallel, their coefficients are not known well, and the vector that they leave is small
+//! If these two are nearly parallel, their coefficients are not known well, and the vector that they leave is small
 //! all the same.
 
 use crate::numeric::bounded::{Bounded, BoundedVector};

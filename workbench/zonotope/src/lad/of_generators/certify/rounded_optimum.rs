@@ -14,9 +14,9 @@
 //!   at most (1 + ‖r‖) / μ. Where v_a and v_b are nearly parallel, their coefficients are not known well, and r is
 //!   small all the same.
 //!
-//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices
-//! is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is chosen
-//! such that δ_a and δ_b have room (`shares`).
+//! Hence where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the
+//! vertices is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is
+//! chosen such that δ_a and δ_b have room (`shares`).
 
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::near_generators::Near;

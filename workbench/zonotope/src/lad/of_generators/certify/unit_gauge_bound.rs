@@ -1,4 +1,4 @@
-//! How thick a body is at least, from a part of its generators.
+//! A lower bound of the thickness of a body, from a part of its generators.
 //!
 //! With W = Σ v vᵀ / |v|_∞ over any of the generators and x = W y, the coefficients (v · y) / |v|_∞ combine to x and
 //! are at most |y|_1. So the gauge of x = W y is at most |y|_1. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞

@@ -21,7 +21,7 @@ use crate::tally::{Operation, Tally};
 /// At most one generator in this number is among the longest.
 const LONGEST_SHARE: usize = 4;
 
-/// Where lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
+/// If lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
 /// all.
 const EVEN_SHARE: usize = 16;
 
@@ -46,7 +46,7 @@ pub(crate) fn optimum(
     let indices = longest(query);
     let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
     let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &none, ExactChart::new(p.clone(), None));
-    let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
+    let outcome = by_pruning::minimize(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
     let optimum = outcome.optimum().ok_or(None)?;
     let direction = plane.direction(optimum.point_in(&plane.problem));
     let mut signs = DirectionSigns::new(query, &direction).all(&direction);

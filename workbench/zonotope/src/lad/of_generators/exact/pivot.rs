@@ -1,7 +1,7 @@
 //! A pivot: from a vertex that is not the optimum, proved so exactly, along one of its two lines to the best vertex on
 //! that line.
 //!
-//! Where the coefficient of a generator a leaves [−1, 1], the objective falls along the line of the other one, b, to
+//! If the coefficient of a generator a leaves [−1, 1], the objective falls along the line of the other one, b, to
 //! one side of the line of a. It falls until the slope, which the crossing of each line raises by a known amount, is
 //! no longer negative. The slope at the start is exact but for one rounding, and where lines are crossed is known to
 //! about two doubles, so that lines that nearly meet are told apart. The vertex is a guess all the same; the exact
@@ -17,8 +17,8 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};
 use crate::numeric::linear;
 
-/// How the two bundles a and b of a vertex balance the sum g of all other generators: −g · (b × p) and −g · (p × a),
-/// each divided by p · (a × b), are their coefficients.
+/// The balance of the two bundles a and b of a vertex with the sum g of all other generators: −g · (b × p) and −g · (p
+/// × a), each divided by p · (a × b), are their coefficients.
 pub(super) struct Balance {
     bundles: [Bundle; 2],
     /// g.

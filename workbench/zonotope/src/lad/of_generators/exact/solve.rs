@@ -48,7 +48,7 @@ impl ExactOptimum {
         tally.add(Operation::GeneratorRead, query.len() as u64);
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let plane = ChartProblem::new(Vectors::all(query), &none, ExactChart::new(p.clone(), center));
-        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
+        let outcome = by_pruning::minimize(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
@@ -91,7 +91,7 @@ impl ExactOptimum {
         let rest = query.signed_sum(&signs);
         let chart = ExactChart::new(p.clone(), Some(center));
         let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &rest, chart);
-        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
+        let outcome = by_pruning::minimize(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
         let optimum = outcome.optimum()?;
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let own = &optimum.certificate.signs;

@@ -1,6 +1,6 @@
 //! A vertex that doubles found, as an exact optimum.
 //!
-//! Where a question is about a point of an edge of the body, the optimum is not unique, and doubles cannot prove any
+//! For a point of an edge of the body the optimum is not unique, and doubles cannot prove any
 //! vertex; they find one all the same. Whether it is optimal is seen from the signs of the generators at it, which
 //! takes a hundredth of the time of a search in exact arithmetic. Where the vertex is only near the optimum, pivots
 //! lead on; each costs a pass in pairs of doubles.

@@ -2,7 +2,7 @@
 
 use super::sample::Sample;
 
-/// What a guess is to allow for.
+/// The error that a guess is to allow for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Aim {
     /// The number of lines in a band that is thin enough if the minimum hardly moved when the band became so thin;
@@ -28,7 +28,7 @@ const BAND_SHARE: f64 = 0.16;
 pub(crate) const SAMPLE_DEVIATIONS: f64 = 2.7;
 
 impl Aim {
-    /// What a guess from some lines is to allow for.
+    /// The error that a guess from some lines is to allow for.
     pub(crate) fn new(len: usize, population: usize, deviations: f64) -> Self {
         let thinnest = THINNEST_BAND_LINES.max((len as f64).sqrt());
         let thickness = thinnest.max(BAND_SHARE * len as f64);

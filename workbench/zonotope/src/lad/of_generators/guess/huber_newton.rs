@@ -54,7 +54,7 @@ impl RoundedLines {
     /// A point near the minimum of linear · x + Σ |a x + b y + c|; the search begins at another guess, if there is
     /// one.
     ///
-    /// Where a step ends far beyond the minimum along its way, it is shortened. The band gets thinner when the steps
+    /// A step that ends far beyond the minimum along its way is shortened. The band gets thinner when the steps
     /// are shorter than the band. Where the band gets too thin, the search goes back to the last minimum and thins
     /// the band less; where the minimum moves steadily from band to band, the next one is extrapolated.
     pub(crate) fn guess(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
@@ -236,8 +236,8 @@ impl Step {
         [self.origin[0] + self.vector[0], self.origin[1] + self.vector[1]]
     }
 
-    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the
-    /// start.
+    /// The point where the slope may be zero, if it is positive at the end and not much less steep than it was negative
+    /// at the start.
     pub(crate) fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
         let slope = dot(&gradient, &self.vector);
         let part = (self.slope / (self.slope - slope)).max(0.05);

@@ -19,7 +19,7 @@ pub(crate) struct Moments {
     pub(crate) count: f64,
 }
 
-/// What the sum of normal · normalᵀ is taken over, beside the lines of the band.
+/// The lines over which the sum of normal · normalᵀ is taken, beside those of the band.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Others {
     /// Only lines that pass between the point and this one, where there is one.

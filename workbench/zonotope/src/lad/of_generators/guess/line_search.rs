@@ -23,7 +23,7 @@ const STEPWISE_CROSSINGS: usize = 12;
 /// it is looked at.
 const HORIZON_SAMPLE: usize = 64;
 
-/// How much farther the horizon is taken than its estimate.
+/// The factor by which the horizon is taken farther than its estimate.
 const HORIZON_MARGIN: f64 = 1.25;
 
 /// A line that is searched, seen from a point on it.

@@ -31,14 +31,14 @@ const CLASS_LIMIT: usize = 32;
 /// The most noise of a direction, as the sine of an angle.
 const PARALLEL_SINE: f64 = 1e-6;
 
-/// How much wider than in the sample a class may be.
+/// The factor by which a class may be wider than in the sample.
 const WIDTH_MARGIN: f64 = 4.0;
 
 /// The classes of a sample.
 pub(crate) struct ParallelClasses {
     classes: Reused<ParallelClass>,
     lines: RoundedLines,
-    /// What is added to the gradient of the sample.
+    /// The correction that is added to the gradient of the sample.
     linear: [f64; 2],
     /// The part of all generators that the sample is.
     part: f64,

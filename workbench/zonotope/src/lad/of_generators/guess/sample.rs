@@ -81,7 +81,7 @@ impl Sample {
         Self::by_length(query, stretch, size)
     }
 
-    /// What part of all generators the sample is.
+    /// The share of the sample in all generators.
     pub(crate) fn part_of(&self, query: &dyn KernelQuery) -> f64 {
         self.vectors.len() as f64 / query.len() as f64
     }

@@ -13,7 +13,7 @@ pub(crate) struct LineBlock(pub(crate) [[f64; LANES]; 4]);
 
 keep_lists_of!(LineBlock);
 
-/// What fills the last block up: a line without normal that is far from every point.
+/// The filling of the last block: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
 /// A plane over the plane of the lines: slope · x + height at the point x.
@@ -160,7 +160,7 @@ impl RoundedLines {
         self
     }
 
-    /// Where two lines meet.
+    /// The meeting point of two lines.
     pub(crate) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
         let ([a, b, c, _], [d, e, f, _]) = (self.line(i), self.line(j));
         let determinant = a * e - b * d;

@@ -27,7 +27,7 @@ pub(crate) struct Frame<'a> {
     pose: &'a Pose,
 }
 
-/// How much a matrix makes lengths grow.
+/// The factor by which a matrix makes lengths grow.
 struct Growth {
     /// At least ‖M‖, the largest factor by which a length grows.
     norm: f64,

@@ -57,7 +57,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     /// The generators, in two parts.
     fn parts(&self) -> [Part<'_>; 2];
 
-    /// How many generators there are.
+    /// The number of generators.
     fn len(&self) -> usize {
         let [first, second] = self.parts();
         first.rows.len() + second.rows.len()
@@ -77,7 +77,8 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         }
     }
 
-    /// How far a generator in doubles is off, in terms of its length; 0 where doubles hold the generators exactly.
+    /// A bound on the error of a generator in doubles, in terms of its length; 0 where doubles hold the generators
+    /// exactly.
     fn relative_error(&self) -> f64 {
         self.parts().iter().filter_map(|part| part.frame).map(|frame| frame.relative_error()).fold(0.0, f64::max)
     }
@@ -154,7 +155,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         own.joined(second.passed(places..places + second.rows.len(), directions, &mut pass))
     }
 
-    /// How many generators are likely to cross the cell of a sample of some √n: about n^(3/4) of them. Memory for more
+    /// Capacity hint: about n^(3/4) generators cross the cell of a sample of some √n. Memory for more
     /// than that is taken when they come.
     fn expected_crossing(&self) -> usize {
         let root = self.len().isqrt();

@@ -1,4 +1,4 @@
-//! What the kernel is asked: generators and a displacement, in whatever precision a rung wants it.
+//! The query of the kernel: generators and a displacement, in whatever precision a rung wants it.
 
 use std::borrow::Cow;
 

@@ -45,7 +45,7 @@ pub(crate) struct FixedSum {
     pub(crate) magnitude: f64,
     /// A bound for the error of each coordinate of the sum.
     pub(crate) error: f64,
-    /// How many generators were read, or sums of generators in their place.
+    /// The number of generators that were read, or of sums of generators in their place.
     pub(crate) read: usize,
 }
 

@@ -43,7 +43,7 @@ pub(crate) fn best_pair(problem: &Problem<'_>, tally: &mut dyn Tally) -> Option<
 /// The best pair that was found.
 pub(crate) struct Found {
     pub(crate) pair: [usize; 2],
-    /// How many eights of pairs were tried.
+    /// The number of eights of pairs that were tried.
     pub(crate) octets: usize,
 }
 
@@ -67,7 +67,7 @@ pub(crate) fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
 /// The largest value of each lane.
 struct Lanes<S: Simd> {
     value: f64x8<S>,
-    /// What tells the pair or the generator in a lane.
+    /// The number that identifies the pair or the generator in a lane.
     code: f64x8<S>,
 }
 

@@ -6,13 +6,13 @@ use crate::lad::of_generators::guess::vertex_descent::{descend_along, descend_ne
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 
-/// How often the descent goes on from a vertex in which many lines meet.
+/// The number of times that the descent goes on from a vertex in which many lines meet.
 const MEETING_TURNS: usize = 8;
 
 /// A vertex is tried if the objective falls from it by no more than this part of its kink there.
 const NEARLY_OPTIMAL: f64 = 2e-8;
 
-/// Where a descent ended.
+/// The end of a descent.
 pub(crate) struct Ended {
     /// The vertex, in the plane of the chart.
     pub(crate) point: [f64; 2],

@@ -13,10 +13,10 @@ use crate::lad::of_generators::support::separates;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
-/// How many meetings are tried: each corrects the gradient of the classes by one pass.
+/// The number of meetings that are tried: each corrects the gradient of the classes by one pass.
 const MEETINGS: usize = 8;
 
-/// What the search finds.
+/// The outcome of the search.
 pub(crate) enum ClassesFound {
     /// A direction that separates, where the location is all that was asked.
     Separated([f64; 3]),

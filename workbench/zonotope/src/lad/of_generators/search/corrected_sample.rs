@@ -20,7 +20,7 @@ use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::numeric::reused::{Reused, ReusedBox};
 use crate::tally::{Operation, Tally};
 
-/// How often a sample is corrected.
+/// The number of times that a sample is corrected.
 const CORRECTIONS: usize = 3;
 
 /// At most this many lines of a level are searched without a sample of them.

@@ -11,7 +11,7 @@
 //!    triangle has become much smaller, the lines that miss its ellipse are summed up (`cells`).
 //! 4. Among a few hundred lines the search ends as all do (`narrowing`).
 //!
-//! Where lines are far apart a step halves the triangle; where they nearly meet in a few points the model is nearly f
+//! If lines are far apart, a step halves the triangle; where they nearly meet in a few points the model is nearly f
 //! itself, and one step leads from such a point to the next.
 
 use super::Searched;

@@ -40,7 +40,7 @@ pub(crate) enum Missed {
     At(Guess),
     /// Nothing is known of where the optimum is.
     Lost {
-        /// How many generators cross the cell.
+        /// The number of generators that cross the cell.
         crossing: usize,
     },
 }

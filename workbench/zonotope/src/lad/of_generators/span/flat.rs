@@ -1,6 +1,6 @@
 //! The plane of a flat body, found exactly, so that a coordinate can be dropped.
 //!
-//! Where all generators and the displacement are orthogonal to n and n_k is not zero, the coordinate k holds no
+//! If all generators and the displacement are orthogonal to n and n_k is not zero, the coordinate k holds no
 //! information: the body in the other two coordinates has the same gauge, coefficients that combine to the
 //! displacement in one combine to it in the other, and a direction that separates in the other two coordinates
 //! separates in space with 0 for the coordinate k.

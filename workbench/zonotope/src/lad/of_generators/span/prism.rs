@@ -20,7 +20,7 @@ pub(crate) struct Prism {
     from: [f64; 3],
     to: [f64; 3],
     generators: Vec<[f64; 3]>,
-    /// How many generators are those of the body.
+    /// The number of generators of the body.
     own: usize,
 }
 

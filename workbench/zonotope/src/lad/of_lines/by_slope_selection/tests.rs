@@ -79,7 +79,7 @@ fn operations_grow_like_n_log_squared_n() {
         let lines: Vec<_> = (0..count).map(|_| WeightedLine::unweighted([value(), value()], value())).collect();
         let problem = LadProblem::new(&lines, [0.0, 0.0]).expect("finite lines");
         let mut counts = OperationCounts::default();
-        minimize_counted(&problem, 1, &mut counts);
+        minimize(&problem, 1, &mut counts);
         let ratio = counts.get(Operation::Comparison) as f64 / (count * exponent * exponent) as f64;
         println!("n = 2^{exponent}: {ratio:.2} n log2² n comparisons, {counts:?}");
         assert!(ratio < 25.0, "n = 2^{exponent}: {ratio}");

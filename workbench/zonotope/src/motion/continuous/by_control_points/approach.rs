@@ -5,7 +5,6 @@
 //! the normal of the faces that will touch: the time that is left shrinks like that of Newton's method.
 
 use super::super::gap::GapBound;
-use crate::numeric::bounded::Bounded;
 
 /// The share of the time until the gap vanishes that is left out: the gap at the end of the stretch must be positive.
 const SHARE_LEFT_OUT: f64 = 1.0 / 256.0;
@@ -16,10 +15,9 @@ const HALVINGS: u32 = 20;
 
 /// A time strictly inside a stretch to ask about next: a little before the gap vanishes, or where that is near enough,
 /// less than the resolution after the begin. `None` where the gap says nothing.
-pub(super) fn next_time(gap: &GapBound<Bounded>, [from, until]: [f64; 2], resolution: f64) -> Option<f64> {
-    let gap = gap.map(|c| c.value);
+pub(super) fn next_time(gap: &GapBound<f64>, [from, until]: [f64; 2], resolution: f64) -> Option<f64> {
     let width = until - from;
-    let left = width * first_zero(&gap)?;
+    let left = width * first_zero(gap)?;
     let step = if left <= resolution / 2.0 {
         0.875 * resolution
     } else {

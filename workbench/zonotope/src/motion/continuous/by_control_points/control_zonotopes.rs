@@ -1,171 +1,178 @@
 //! A direction along which all Bernstein coefficients of a gap are positive, as one that separates the origin from six
 //! zonotopes: the k-th coefficient along u is the least u · z over the k-th *control zonotope*.
 //!
-//! The search is that of Gilbert, Johnson and Keerthi in doubles over the hull of the six. It proves nothing: the
-//! direction that it finds is tried.
+//! The search is that of Gilbert, Johnson and Keerthi over the hull of the six. The coefficients along the direction
+//! that it finds are known with the bound of all doubles of the stretch.
 
-use super::super::body::Body;
+use super::super::SeparatingDirection;
+use super::super::doubles::length_at_most;
 use super::super::gap::{Matrix, Stretch};
-use crate::collision::distance::NearestSimplex;
-use crate::motion::bernstein::{convolution, elevated};
+use super::super::parts::body::Body;
+use super::super::simplex_search::{Lowest, Search, search};
+use crate::motion::bernstein::{self, INVERSE_BINOMIALS, convolution, elevated};
 use crate::motion::quaternion::{image, transposed_image};
-use crate::numeric::bounded::Bounded;
 use crate::numeric::lanes::extreme_sums;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
 
-/// Steps of the search; a separation with a gap takes a few, and where there is none the simplex is soon full.
-const STEP_LIMIT: usize = 24;
-
-/// The search ends where the nearest point is within this share of the farthest vertex: the origin is on the hull.
-const RELATIVE_DISTANCE: f64 = 1e-24;
-
-/// The inverses of the binomial coefficients of degree 5: those of scaled Bernstein coefficients.
-const INVERSE_BINOMIALS: [f64; 6] = [1.0, 0.2, 0.1, 0.1, 0.2, 1.0];
-
 /// The control zonotopes of the gap along directions that are fixed in space or in one of the bodies.
-pub(super) struct ControlZonotopes<'a> {
-    bodies: [Body<'a>; 2],
+pub(super) struct ControlZonotopes<'s, 'a> {
+    stretch: &'s Stretch<'a, f64>,
+    /// The body that a direction leads from, and the other.
+    order: [usize; 2],
     arms: [[f64; 3]; 2],
-    squares: [[f64; 3]; 2],
-    square: [f64; 5],
-    weights: [f64; 2],
-    /// What does not depend on the direction: the path between the bases.
+    /// The path between the bases, which does not depend on the direction.
     path: [[f64; 3]; 6],
-    turns: Turns,
+    frame: Frame,
+    rounding: f64,
 }
 
-/// The rotations of the bodies as a direction sees them.
-enum Turns {
-    /// Both bodies turn, or translate alone.
-    Space(Box<[[Matrix<f64>; 3]; 2]>, [bool; 2]),
-    /// The second body turns as the first one sees it.
-    First(Box<[Matrix<f64>; 5]>),
+/// The frame in which a direction is fixed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Frame {
+    Space,
+    Body,
 }
 
-impl<'a> ControlZonotopes<'a> {
+/// A direction along which all coefficients are positive as they are rounded.
+pub(super) struct Found {
+    pub(super) direction: SeparatingDirection,
+    /// Whether they are positive for certain.
+    pub(super) is_proved: bool,
+}
+
+impl<'s, 'a> ControlZonotopes<'s, 'a> {
     /// The control zonotopes for directions that are fixed in space.
-    pub(super) fn in_space(stretch: &Stretch<'a, Bounded>) -> Self {
-        let square = values(&stretch.square);
-        let path = stretch.path.each_ref().map(values);
-        let path = by_coordinates(|k| convolution(&square, &path.map(|base| base[k])));
-        let rotations = stretch.rotations.each_ref().map(|list| list.each_ref().map(matrix));
-        let turns = Turns::Space(Box::new(rotations), stretch.arcs.each_ref().map(|arc| arc.is_translation));
-        Self::new(stretch, [0, 1], path, turns)
+    pub(super) fn in_space(stretch: &'s Stretch<'a, f64>) -> Self {
+        let path = by_coordinates(|k| convolution(&stretch.square, &stretch.path.map(|base| base[k])));
+        Self::new(stretch, [0, 1], path, Frame::Space)
     }
 
     /// The control zonotopes for directions that are fixed in one body, from that body to the other.
-    pub(super) fn in_frame(stretch: &Stretch<'a, Bounded>, own: usize) -> Self {
+    pub(super) fn in_frame(stretch: &'s Stretch<'a, f64>, own: usize) -> Self {
         let other = 1 - own;
-        let path = stretch.path.each_ref().map(|path| values(path).map(|c| if own == 0 { c } else { -c }));
-        let rotations = stretch.rotations[own].each_ref().map(matrix);
-        let squares = values(&stretch.squares[other]);
+        let sign = if own == 0 { 1.0 } else { -1.0 };
+        let rotations = &stretch.rotations[own];
         let path = by_coordinates(|k| {
             // the k-th coordinate of R⁻¹ path
             let turned: [f64; 4] = (0..3).fold([0.0; 4], |total, i| {
-                let term: [f64; 4] = convolution(&rotations.map(|m| m[i][k]), &path.map(|base| base[i]));
+                let column = rotations.each_ref().map(|m| sign * m[i][k]);
+                let term: [f64; 4] = convolution(&column, &stretch.path.map(|base| base[i]));
                 std::array::from_fn(|j| total[j] + term[j])
             });
-            convolution(&squares, &turned)
+            convolution(&stretch.squares[other], &turned)
         });
-        let seen = stretch.seen().each_ref().map(matrix);
-        let transposed = |m: Matrix<f64>| [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[j][i]));
-        let seen = if own == 0 { seen } else { seen.map(transposed) };
-        Self::new(stretch, [own, other], path, Turns::First(Box::new(seen)))
+        Self::new(stretch, [own, other], path, Frame::Body)
     }
 
-    fn new(stretch: &Stretch<'a, Bounded>, order: [usize; 2], path: [[f64; 3]; 6], turns: Turns) -> Self {
-        Self {
-            bodies: order.map(|i| stretch.bodies[i]),
-            arms: order.map(|i| values(&stretch.arcs[i].arm_of(&stretch.bodies[i].center()))),
-            squares: order.map(|i| values(&stretch.squares[i])),
-            square: values(&stretch.square),
-            weights: order.map(|i| stretch.arcs[i].weight.value),
-            path,
-            turns,
-        }
+    fn new(stretch: &'s Stretch<'a, f64>, order: [usize; 2], path: [[f64; 3]; 6], frame: Frame) -> Self {
+        let arms = order.map(|i| stretch.arcs[i].arm_of(&stretch.bodies[i].center()));
+        Self { stretch, order, arms, path, frame, rounding: stretch.rounding() }
     }
 
-    /// A direction that separates the origin from all control zonotopes, searched for from a first one.
-    pub(super) fn separating_direction(&self, first: [f64; 3], tally: &mut dyn Tally) -> Option<[f64; 3]> {
-        let mut u = first;
-        let mut simplex = NearestSimplex::<3>::new();
-        for _ in 0..STEP_LIMIT {
+    /// A direction that separates the origin from all control zonotopes, searched for from first ones, which are those
+    /// of the frame, from the body in which they are fixed to the other.
+    pub(super) fn separating_direction(&self, first: &[[f64; 3]], tally: &mut dyn Tally) -> Option<Found> {
+        let mut is_proved = false;
+        let found = search(first, 0.0, |u| {
             tally.add(Operation::SupportEvaluation, self.support_evaluations());
-            let vertices = self.extreme_points(&u);
-            let along = vertices.map(|z| dot(&u, &z));
-            let least = (0..6).min_by(|&i, &j| along[i].total_cmp(&along[j]))?;
-            if along[least] > 0.0 {
-                return Some(u);
-            }
-            let nearest = simplex.add(vertices[least])?;
-            let square = dot(&nearest, &nearest);
-            if simplex.is_full() || square.is_nan() || square <= RELATIVE_DISTANCE * simplex.largest_square() {
-                return None;
-            }
-            u = nearest;
+            let direction = self.direction(u);
+            let margin = self.stretch.margin_along(&direction) * self.weight(0) * self.weight(1);
+            let vertices = self.extreme_points(u);
+            let excess: [f64; 6] = std::array::from_fn(|k| {
+                // the margin times the square, of which the degree is raised
+                let square =
+                    [0, 1].map(|i| if i <= k { self.stretch.square.get(k - i).copied().unwrap_or(0.0) } else { 0.0 });
+                dot(u, &vertices[k]) - margin * (square[0] + square[1]) * INVERSE_BINOMIALS[k]
+            });
+            let least = (1..6).fold(0, |least, k| if excess[k] < excess[least] { k } else { least });
+            is_proved = bernstein::is_above(&excess, self.rounding * length_at_most(&direction));
+            Lowest { point: vertices[least], is_found: is_proved || excess[least] > 0.0 }
+        });
+        let Search::Found(u) = found else { return None };
+        Some(Found { direction: self.direction(&u), is_proved })
+    }
+
+    /// A direction of the frame as one from the first body to the second.
+    fn direction(&self, u: &[f64; 3]) -> SeparatingDirection {
+        match (self.frame, self.order[0]) {
+            (Frame::Space, _) => SeparatingDirection::Space(*u),
+            (Frame::Body, 0) => SeparatingDirection::First(*u),
+            (Frame::Body, _) => SeparatingDirection::Second(u.map(|c| -c)),
         }
-        None
+    }
+
+    fn body(&self, place: usize) -> &Body<'a> {
+        &self.stretch.bodies[self.order[place]]
+    }
+
+    fn weight(&self, place: usize) -> f64 {
+        self.stretch.arcs[self.order[place]].weight
+    }
+
+    /// The rotations of the other body as the direction's body sees it.
+    fn seen(&self, u: &[f64; 3]) -> [[f64; 3]; 5] {
+        let pull = if self.order[0] == 0 { transposed_image } else { image };
+        self.stretch.seen().each_ref().map(|m| pull(m, u))
     }
 
     fn support_evaluations(&self) -> u64 {
-        match &self.turns {
-            Turns::Space(_, is_translation) => is_translation.iter().map(|&is| if is { 1 } else { 3 }).sum(),
-            Turns::First(_) => 6,
+        match self.frame {
+            Frame::Space => self.stretch.support_evaluations(&SeparatingDirection::Space([0.0; 3])),
+            Frame::Body => self.stretch.support_evaluations(&SeparatingDirection::First([0.0; 3])),
         }
     }
 
-    /// Of each control zonotope the point that is least along a direction.
+    /// Of each control zonotope the point that is lowest along a direction.
     fn extreme_points(&self, u: &[f64; 3]) -> [[f64; 3]; 6] {
-        let [a, b] = self.weights;
-        let apart: [[f64; 3]; 6] = match &self.turns {
-            Turns::Space(rotations, is_translation) => {
-                let ends = [0, 1].map(|i| {
-                    let scale = [1.0, -1.0][i] * self.weights[i];
-                    let placed = |m: &Matrix<f64>, farthest: &[f64; 3]| {
-                        image(m, &[0, 1, 2].map(|k| self.arms[i][k] + scale * farthest[k]))
-                    };
-                    if is_translation[i] {
-                        let [farthest] = self.farthest(i, &[transposed_image(&rotations[i][0], u)]);
-                        let end = placed(&rotations[i][0], &farthest);
-                        return [end, end.map(|c| 2.0 * c), end];
-                    }
-                    let farthest = self.farthest(i, &rotations[i].each_ref().map(|m| transposed_image(m, u)));
-                    [0, 1, 2].map(|k| placed(&rotations[i][k], &farthest[k]))
-                });
-                by_coordinates(|k| {
-                    let to: [f64; 5] = convolution(&self.squares[0], &ends[1].map(|v| a * v[k]));
-                    let from: [f64; 5] = convolution(&self.squares[1], &ends[0].map(|v| b * v[k]));
-                    elevated(&std::array::from_fn::<_, 5, _>(|j| to[j] - from[j]))
-                })
-            }
-            Turns::First(seen) => {
-                let [own] = self.farthest(0, &[*u]);
-                let own = [0, 1, 2].map(|k| b * self.arms[0][k] + a * b * own[k]);
-                let farthest = self.farthest(1, &seen.each_ref().map(|m| transposed_image(m, u)));
-                let others: [[f64; 3]; 5] = std::array::from_fn(|j| {
-                    image(&seen[j], &[0, 1, 2].map(|k| a * self.arms[1][k] - a * b * farthest[j][k]))
-                });
-                by_coordinates(|k| {
-                    elevated(&std::array::from_fn::<_, 5, _>(|j| others[j][k] - self.square[j] * own[k]))
-                })
-            }
+        let apart = match self.frame {
+            Frame::Space => self.apart_in_space(u),
+            Frame::Body => self.apart_in_body(u),
         };
         std::array::from_fn(|j| [0, 1, 2].map(|k| (self.path[j][k] + apart[j][k]) * INVERSE_BINOMIALS[j]))
     }
 
-    fn farthest<const K: usize>(&self, body: usize, directions: &[[f64; 3]; K]) -> [[f64; 3]; K] {
-        extreme_sums(Rows::new(self.bodies[body].generators()), directions)
+    fn apart_in_space(&self, u: &[f64; 3]) -> [[f64; 3]; 6] {
+        let Stretch { arcs, rotations, squares, .. } = self.stretch;
+        let ends = [0, 1].map(|i| {
+            let scale = [1.0, -1.0][i] * arcs[i].weight;
+            let placed = |m: &Matrix<f64>, farthest: &[f64; 3]| {
+                image(m, &[0, 1, 2].map(|k| self.arms[i][k] + scale * farthest[k]))
+            };
+            if arcs[i].is_translation {
+                let [farthest] = self.farthest(i, &[transposed_image(&rotations[i][0], u)]);
+                let end = placed(&rotations[i][0], &farthest);
+                return [end, end.map(|c| 2.0 * c), end];
+            }
+            let farthest = self.farthest(i, &rotations[i].each_ref().map(|m| transposed_image(m, u)));
+            [0, 1, 2].map(|k| placed(&rotations[i][k], &farthest[k]))
+        });
+        let [a, b] = [arcs[0].weight, arcs[1].weight];
+        by_coordinates(|k| {
+            let to: [f64; 5] = convolution(&squares[0], &ends[1].map(|v| a * v[k]));
+            let from: [f64; 5] = convolution(&squares[1], &ends[0].map(|v| b * v[k]));
+            elevated(&std::array::from_fn::<_, 5, _>(|j| to[j] - from[j]))
+        })
     }
-}
 
-fn values<const N: usize>(list: &[Bounded; N]) -> [f64; N] {
-    list.map(|c| c.value)
-}
+    fn apart_in_body(&self, u: &[f64; 3]) -> [[f64; 3]; 6] {
+        let [a, b] = [self.weight(0), self.weight(1)];
+        let [own] = self.farthest(0, &[*u]);
+        let own = [0, 1, 2].map(|k| b * self.arms[0][k] + a * b * own[k]);
+        let farthest = self.farthest(1, &self.seen(u));
+        let place = if self.order[0] == 0 { image } else { transposed_image };
+        let others: [[f64; 3]; 5] = std::array::from_fn(|j| {
+            place(&self.stretch.seen()[j], &[0, 1, 2].map(|k| a * self.arms[1][k] - a * b * farthest[j][k]))
+        });
+        by_coordinates(|k| {
+            elevated(&std::array::from_fn::<_, 5, _>(|j| others[j][k] - self.stretch.square[j] * own[k]))
+        })
+    }
 
-fn matrix(m: &Matrix<Bounded>) -> Matrix<f64> {
-    m.each_ref().map(values)
+    fn farthest<const K: usize>(&self, place: usize, directions: &[[f64; 3]; K]) -> [[f64; 3]; K] {
+        extreme_sums(Rows::new(self.body(place).generators()), directions)
+    }
 }
 
 /// Vectors from their coordinates.

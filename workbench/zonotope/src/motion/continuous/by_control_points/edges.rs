@@ -3,7 +3,6 @@
 use super::super::SeparatingDirection;
 use super::super::gap::Stretch;
 use crate::motion::quaternion::{image, polar_rotation, sum, transposed_image};
-use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::{cross, dot};
 
 /// The number of edges of each body that are tried.
@@ -13,10 +12,9 @@ const EDGE_LIMIT: usize = 2;
 const LEAST_COSINE: f64 = 0.75;
 
 /// The normals of pairs of edges that are nearly orthogonal to a direction in the middle of a stretch, on its side.
-pub(super) fn normals(stretch: &Stretch<'_, Bounded>, u: [f64; 3]) -> impl Iterator<Item = SeparatingDirection> {
+pub(super) fn normals(stretch: &Stretch<'_, f64>, u: [f64; 3]) -> impl Iterator<Item = SeparatingDirection> {
     let rotations = stretch.arcs.each_ref().map(|arc| {
-        let [from, to] = arc.turns.map(|q| q.map(|c| c.value));
-        let middle = sum(&from, &to);
+        let middle = sum(&arc.turns[0], &arc.turns[1]);
         polar_rotation(&middle, &middle)
     });
     let edges = |i: usize| orthogonal_generators(stretch.bodies[i].generators(), &transposed_image(&rotations[i], &u));

@@ -15,14 +15,14 @@
 //! 1. Take the first stretch that is not decided. Try, in turn: the directions that separate the bodies at its ends,
 //!    and the direction that proved the stretch before it; a direction fixed in space, in the first body, in the second
 //!    body, each searched for over the control zonotopes.
-//! 2. A direction proves the stretch if the six coefficients of the gap are positive: in doubles with bounds, exactly
-//!    where these are in doubt.
-//! 3. Else ask the bodies as they stand at the middle. The normals of the edges that are most nearly orthogonal to the
-//!    direction that separates them there may prove the whole stretch; else its halves are stretches of their own.
-//!    Where they meet, and coefficients prove it for the exact placements, everything after the middle is dropped.
-//! 4. A stretch at the end of which the bodies meet is a contact when it is as short as the resolution. Till then the
-//!    next question is asked shortly before the gap along the last separating direction vanishes, each third time at
-//!    the middle.
+//! 2. A direction proves the stretch if the six coefficients of the gap are positive: in doubles with one bound for
+//!    all, with a bound for each operation where that leaves a doubt, exactly where these do.
+//! 3. Else look at the bodies as they stand at the middle, by a search in doubles. The normals of the edges that are
+//!    most nearly orthogonal to the direction that separates them there may prove the whole stretch; else its halves
+//!    are stretches of their own.
+//! 4. A stretch at the end of which the bodies seem to meet is looked at next: shortly before the gap along the last
+//!    separating direction vanishes, each third time at the middle. When it is as short as the resolution, coefficients
+//!    must prove the contact for the exact placements; else it is a stretch like others, and so is what follows it.
 //! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing; so is one that is shorter than
 //!    [`SHORT_STRETCH`] if the bodies are as near at its middle as [`GRAZING_DISTANCE`] says.
 //!
@@ -35,12 +35,6 @@
 //!
 //! # Numerics
 //! Directions are guesses; a free stretch and a contact are decided exactly. The distance of a grazing is rounded up.
-//!
-//! # Errors
-//! None: motions are finite and their times go from 0 to 1.
-//!
-//! # Panics
-//! Never.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force): the gap at rational times in exact numbers; dense sampling with exact queries.
@@ -63,15 +57,16 @@ mod approach;
 mod control_zonotopes;
 mod edges;
 
-use self::control_zonotopes::ControlZonotopes;
+use self::control_zonotopes::{ControlZonotopes, Found};
 use super::gap::Stretch;
-use super::scene::Scene;
+use super::scene::{Apart, Scene};
+use super::simplex_search::Search as Looked;
 use super::{FirstContact, FreeStretch, SeparatingDirection, ordinary_sizes};
 use crate::collision::Witness;
 use crate::motion::Motion;
-use crate::numeric::bounded::Bounded;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
+use smallvec::SmallVec;
 
 /// A stretch that is this short and not decided ends the search.
 pub const SHORTEST_STRETCH: f64 = 1.0 / (1u64 << 36) as f64;
@@ -111,7 +106,7 @@ pub fn first_contact_counted(
 ) -> FirstContact {
     let resolution = resolution.max(FINEST_RESOLUTION);
     ordinary_sizes::first_contact(bodies, motions, |scene| {
-        Search { scene, resolution, free: Vec::new(), open: Vec::new(), tally }.first_contact()
+        Search { scene, resolution, free: Vec::new(), open: Vec::new(), is_start_known: false, tally }.first_contact()
     })
 }
 
@@ -119,9 +114,9 @@ pub fn first_contact_counted(
 struct Open {
     times: [f64; 2],
     /// Directions that separate the bodies at its ends, if they are known.
-    hints: [Option<SeparatingDirection>; 2],
-    /// The proof that the bodies meet at its end, if they do.
-    meets: Option<Witness>,
+    hints: [Apart; 2],
+    /// Whether the bodies seem to meet at its end.
+    meets: bool,
     /// How often it was cut off where the gap was expected to vanish.
     cuts: u8,
 }
@@ -132,35 +127,24 @@ struct Search<'a, 't> {
     free: Vec<FreeStretch>,
     /// The first stretch last.
     open: Vec<Open>,
+    /// Whether the bodies are known to be disjoint at the start.
+    is_start_known: bool,
     tally: &'t mut dyn Tally,
 }
 
 impl Search<'_, '_> {
     fn first_contact(mut self) -> FirstContact {
-        let start = match self.scene.at(0.0, self.tally) {
-            Ok(witness) => return FirstContact::Contact { free: self.free, time: [0.0; 2], witness },
-            Err(found) => found,
-        };
-        let parts = self.scene.parts();
-        let open = |times| Open { times, hints: [None; 2], meets: None, cuts: 0 };
-        self.open = parts.into_iter().rev().map(open).collect();
-        if let Some(first) = self.open.last_mut() {
-            first.hints[0] = start;
-        }
+        let open = |times| Open { times, hints: [None; 2], meets: false, cuts: 0 };
+        self.open = self.scene.parts().into_iter().rev().map(open).collect();
         for _ in 0..STRETCH_LIMIT {
             let Some(stretch) = self.open.pop() else { return FirstContact::Separate { free: self.free } };
             self.tally.add(Operation::Stretch, 1);
             let times = stretch.times;
-            let decided = match stretch.meets {
-                Some(_) => self.approach(stretch),
-                None => self.decide(stretch),
-            };
+            let decided = if stretch.meets { self.approach(stretch) } else { self.decide(stretch) };
             match decided {
                 Decided::Not => {}
                 Decided::Grazing => return self.grazing(times),
-                Decided::Contact(witness) => {
-                    return FirstContact::Contact { free: self.free, time: times, witness };
-                }
+                Decided::Contact(time, witness) => return FirstContact::Contact { free: self.free, time, witness },
             }
         }
         match self.open.pop() {
@@ -170,28 +154,34 @@ impl Search<'_, '_> {
     }
 
     /// Proves a stretch, or cuts it in halves.
-    fn decide(&mut self, Open { times, hints, .. }: Open) -> Decided {
+    fn decide(&mut self, Open { times, mut hints, .. }: Open) -> Decided {
         let [from, until] = times;
-        let stretch = self.scene.is_whole(times).then(|| self.scene.stretch(times));
+        let stretch = self.scene.is_whole(times).then(|| self.scene.rounded_stretch(times));
         if let Some(direction) = stretch.as_ref().and_then(|stretch| self.separates(stretch, times, &hints)) {
             self.free.push(FreeStretch { from, until, direction });
             return Decided::Not;
         }
+        if from == 0.0 && !self.is_start_known {
+            self.is_start_known = true;
+            match self.scene.at(from, self.tally) {
+                Ok(witness) => return Decided::Contact([from; 2], witness),
+                Err(found) => hints[0] = found,
+            }
+        }
         let width = until - from;
         if width <= SHORTEST_STRETCH {
             return match self.scene.at(until, self.tally) {
-                Ok(witness) if width <= self.resolution => Decided::Contact(witness),
+                Ok(witness) if width <= self.resolution => Decided::Contact(times, witness),
                 _ => Decided::Grazing,
             };
         }
         let middle = from + width / 2.0;
-        match self.scene.at(middle, self.tally) {
-            Ok(witness) => {
-                self.open.clear();
-                let meets = Some(witness);
-                self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets, cuts: 0 });
+        match self.look(middle, &hints) {
+            Look::Meets => {
+                self.open.push(Open { times: [middle, until], hints: [None, hints[1]], meets: false, cuts: 0 });
+                self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets: true, cuts: 0 });
             }
-            Err(found) => {
+            Look::Apart(found) => {
                 if let Some(direction) = stretch.and_then(|stretch| self.edges(&stretch, times, found)) {
                     self.free.push(FreeStretch { from, until, direction });
                     return Decided::Not;
@@ -199,34 +189,51 @@ impl Search<'_, '_> {
                 if width <= SHORT_STRETCH && self.is_grazing(middle) && self.is_grazing(times[1]) {
                     return Decided::Grazing;
                 }
-                self.open.push(Open { times: [middle, until], hints: [found, hints[1]], meets: None, cuts: 0 });
-                self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: None, cuts: 0 });
+                self.open.push(Open { times: [middle, until], hints: [found, hints[1]], meets: false, cuts: 0 });
+                self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: false, cuts: 0 });
             }
         }
         Decided::Not
     }
 
-    /// Makes a stretch at the end of which the bodies meet shorter.
-    fn approach(&mut self, Open { times, hints, meets, cuts }: Open) -> Decided {
+    /// Makes a stretch at the end of which the bodies seem to meet shorter.
+    fn approach(&mut self, Open { times, hints, cuts, .. }: Open) -> Decided {
         let [from, until] = times;
         let width = until - from;
         if width <= self.resolution {
-            return meets.map_or(Decided::Grazing, Decided::Contact);
+            match self.scene.at(until, self.tally) {
+                Ok(witness) => return Decided::Contact(times, witness),
+                // it only seemed so
+                Err(found) => self.open.push(Open { times, hints: [hints[0], found], meets: false, cuts: 0 }),
+            }
+            return Decided::Not;
         }
         let guess = if cuts % 3 < 2 { hints[0].and_then(|hint| self.guess(times, &hint)) } else { None };
         let middle = guess.unwrap_or(from + width / 2.0);
         let cuts = cuts.wrapping_add(1);
-        match self.scene.at(middle, self.tally) {
-            Ok(witness) => {
-                let meets = Some(witness);
-                self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets, cuts });
+        let (before, after) = match self.look(middle, &hints) {
+            Look::Meets => (Open { times: [from, middle], hints, meets: true, cuts }, [None; 2]),
+            Look::Apart(found) => {
+                let hints = [hints[0], found];
+                (Open { times: [from, middle], hints, meets: false, cuts: 0 }, [found, None])
             }
-            Err(found) => {
-                self.open.push(Open { times: [middle, until], hints: [found, None], meets, cuts });
-                self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: None, cuts: 0 });
-            }
-        }
+        };
+        self.open.push(Open { times: [middle, until], hints: after, meets: true, cuts });
+        self.open.push(before);
         Decided::Not
+    }
+
+    /// The position of the bodies at a time: by a search in doubles, exactly where that leaves a doubt.
+    fn look(&mut self, time: f64, hints: &[Apart; 2]) -> Look {
+        let first = hints.iter().rev().flatten().find_map(fixed_in_space);
+        match self.scene.looked_at(time, first, self.tally) {
+            Looked::Found(u) => Look::Apart(Some(SeparatingDirection::Space(u))),
+            Looked::Inside => Look::Meets,
+            Looked::Undecided => match self.scene.at(time, self.tally) {
+                Ok(_) => Look::Meets,
+                Err(found) => Look::Apart(found),
+            },
+        }
     }
 
     /// When the bodies may meet within a stretch, by the gap along a direction that separates them at its begin.
@@ -234,7 +241,7 @@ impl Search<'_, '_> {
         if !self.scene.is_whole(times) {
             return None;
         }
-        let stretch = self.scene.stretch(times);
+        let stretch = self.scene.rounded_stretch(times);
         self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(hint));
         approach::next_time(&stretch.gap_along(hint), times, self.resolution)
     }
@@ -242,58 +249,52 @@ impl Search<'_, '_> {
     /// A direction that proves a stretch, the first that does.
     fn separates(
         &mut self,
-        stretch: &Stretch<'_, Bounded>,
+        stretch: &Stretch<'_, f64>,
         times: [f64; 2],
-        hints: &[Option<SeparatingDirection>; 2],
+        hints: &[Apart; 2],
     ) -> Option<SeparatingDirection> {
         let before = self.free.last().map(|stretch| stretch.direction);
         let known = [hints[1], hints[0], before.filter(|before| Some(*before) != hints[0])];
-        let known = known.into_iter().flatten().find(|direction| self.proves(stretch, times, direction));
-        if known.is_some() {
-            return known;
+        let mut turning = known.iter().flatten().filter(|direction| fixed_in_space(direction).is_none());
+        if let Some(direction) = turning.find(|direction| self.proves(stretch, times, direction)) {
+            return Some(*direction);
         }
-        let first = hints.iter().rev().flatten().find_map(|hint| match hint {
-            SeparatingDirection::Space(u) => Some(*u),
-            _ => None,
-        });
-        let first = first.unwrap_or_else(|| middle_path(stretch));
-        let found = ControlZonotopes::in_space(stretch).separating_direction(first, self.tally);
-        let found = found.map(SeparatingDirection::Space).filter(|direction| self.proves(stretch, times, direction));
-        if found.is_some() {
-            return found;
+        let mut first: SmallVec<[[f64; 3]; 3]> = known.iter().flatten().filter_map(fixed_in_space).collect();
+        if first.is_empty() {
+            first.push(middle_path(stretch));
         }
-        [0, 1].into_iter().find_map(|own| {
-            let arc = &stretch.arcs[own];
-            // of a body that only translates, the frame is that of space
-            if arc.is_translation {
-                return None;
-            }
-            let sign = [1.0, -1.0][own];
-            let first = arc.rounded().turned_back(&first).map(|c| sign * c);
-            let u = ControlZonotopes::in_frame(stretch, own).separating_direction(first, self.tally)?;
-            let direction = match own {
-                0 => SeparatingDirection::First(u),
-                _ => SeparatingDirection::Second(u.map(|c| -c)),
-            };
-            self.proves(stretch, times, &direction).then_some(direction)
+        let found = ControlZonotopes::in_space(stretch).separating_direction(&first, self.tally);
+        self.confirmed(found, times).or_else(|| {
+            [0, 1].into_iter().find_map(|own| {
+                let arc = &stretch.arcs[own];
+                // of a body that only translates, the frame is that of space
+                if arc.is_translation {
+                    return None;
+                }
+                let sign = [1.0, -1.0][own];
+                let first = arc.turned_back(&first[0]).map(|c| sign * c);
+                let found = ControlZonotopes::in_frame(stretch, own).separating_direction(&[first], self.tally);
+                self.confirmed(found, times)
+            })
         })
     }
 
+    /// A direction that was found, if it proves the stretch.
+    fn confirmed(&mut self, found: Option<Found>, times: [f64; 2]) -> Option<SeparatingDirection> {
+        let Found { direction, is_proved } = found?;
+        (is_proved || self.scene.is_proved_with_bounds(times, &direction, self.tally)).then_some(direction)
+    }
+
     /// The normal of two edges that proves a stretch, by the direction that separates the bodies at its middle.
-    fn edges(
-        &mut self,
-        stretch: &Stretch<'_, Bounded>,
-        times: [f64; 2],
-        found: Option<SeparatingDirection>,
-    ) -> Option<SeparatingDirection> {
-        let Some(SeparatingDirection::Space(u)) = found else { return None };
+    fn edges(&mut self, stretch: &Stretch<'_, f64>, times: [f64; 2], found: Apart) -> Option<SeparatingDirection> {
+        let u = fixed_in_space(&found?)?;
         if stretch.arcs.iter().all(|arc| arc.is_translation) {
             return None;
         }
         edges::normals(stretch, u).find(|direction| self.proves(stretch, times, direction))
     }
 
-    fn proves(&mut self, stretch: &Stretch<'_, Bounded>, times: [f64; 2], direction: &SeparatingDirection) -> bool {
+    fn proves(&mut self, stretch: &Stretch<'_, f64>, times: [f64; 2], direction: &SeparatingDirection) -> bool {
         self.scene.is_proved(stretch, times, direction, self.tally)
     }
 
@@ -314,14 +315,30 @@ impl Search<'_, '_> {
 enum Decided {
     /// It is proved, or cut in pieces.
     Not,
-    /// The bodies meet at its end, and it is short enough.
-    Contact(Witness),
+    /// The bodies are disjoint before the first of two times and meet at the second.
+    Contact([f64; 2], Witness),
     /// Neither was proved.
     Grazing,
 }
 
+/// How bodies stand at a time, not proved.
+enum Look {
+    /// They seem to meet.
+    Meets,
+    /// They seem not to.
+    Apart(Apart),
+}
+
+/// The direction, if it is fixed in space.
+fn fixed_in_space(direction: &SeparatingDirection) -> Option<[f64; 3]> {
+    match direction {
+        SeparatingDirection::Space(u) => Some(*u),
+        _ => None,
+    }
+}
+
 /// The path between the centres of the bodies at the middle of a stretch.
-fn middle_path(stretch: &Stretch<'_, Bounded>) -> [f64; 3] {
-    let [from, to] = [0, 1].map(|i| stretch.arcs[i].rounded().middle_of(&stretch.bodies[i].center()));
+fn middle_path(stretch: &Stretch<'_, f64>) -> [f64; 3] {
+    let [from, to] = [0, 1].map(|i| stretch.arcs[i].middle_of(&stretch.bodies[i].center()));
     [0, 1, 2].map(|k| to[k] - from[k])
 }

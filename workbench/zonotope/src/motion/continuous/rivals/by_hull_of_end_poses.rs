@@ -22,12 +22,6 @@
 //! # Numerics
 //! Everything is in doubles; hulls that touch may be told either way.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Translations, of which it misses nothing.
 //!

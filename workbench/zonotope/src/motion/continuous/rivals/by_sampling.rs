@@ -19,12 +19,6 @@
 //! # Numerics
 //! Each question is answered exactly for the placements as they are rounded.
 //!
-//! # Errors
-//! None.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! Its contacts are not earlier than the first one by control points.
 //!

@@ -46,8 +46,8 @@ fn bodies_that_touch_at_the_start_meet_at_the_time_zero() {
     }
 }
 
-/// Bodies that slide along each other, or turn face to face, at a distance of so much. A turn at constant rate is
-/// enclosed with a margin, so that a free turn at a distance takes stretches in proportion to its cube root's inverse.
+/// Bodies that slide along each other, or turn face to face, at a distance of so much. A turn at constant rate is off
+/// across its axis alone, and where nothing else moves not at all, so that it takes few stretches as well.
 #[test]
 fn a_contact_that_lasts_ends_the_search_soon() {
     for distance in [0.0, 1e-15, 1e-14, 1e-12, 1e-10] {
@@ -55,7 +55,7 @@ fn a_contact_that_lasts_ends_the_search_soon() {
         let slide = Motion::translation([10.0, 0.0, 0.0]).expect("finite");
         let turn = Motion::constant_rate([0.0; 3], [0.0, 1.0, 0.0], 7.0, [0.0; 3]).expect("an axis");
         let screw = Motion::constant_rate([0.0; 3], [0.0, 1.0, 0.0], 7.0, [5.0, 0.0, 0.0]).expect("an axis");
-        for (motion, place, most) in [(slide, 5.0, 2000), (turn, 0.5, 20_000), (screw, 5.0, 20_000)] {
+        for (motion, place, most) in [(slide, 5.0, 200), (turn, 0.5, 200), (screw, 5.0, 200)] {
             let b = b.translated([place - 5.0, 0.0, 0.0]).expect("finite");
             let mut counts = OperationCounts::default();
             let found = first_contact_counted([&a, &b], [&motion, &Motion::rest()], 2f64.powi(-30), &mut counts);

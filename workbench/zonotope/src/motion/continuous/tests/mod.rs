@@ -13,7 +13,7 @@ mod degenerate;
 mod soundness;
 
 /// A body of random generators of about a size.
-fn random_body(rng: &mut Pcg64, generators: usize, size: f64) -> Zonotope<3> {
+pub(super) fn random_body(rng: &mut Pcg64, generators: usize, size: f64) -> Zonotope<3> {
     let vector = |rng: &mut Pcg64, size: f64| [0, 1, 2].map(|_| size * rng.random_range(-1.0..1.0));
     let center = vector(rng, 0.5);
     let list = (0..generators).map(|_| vector(rng, size / (generators as f64).sqrt())).collect();
@@ -21,7 +21,7 @@ fn random_body(rng: &mut Pcg64, generators: usize, size: f64) -> Zonotope<3> {
 }
 
 /// Parts with quaternions of small integers, each at most half a turn.
-fn random_parts(rng: &mut Pcg64, parts: usize) -> Vec<MotionPiece> {
+pub(super) fn random_parts(rng: &mut Pcg64, parts: usize) -> Vec<MotionPiece> {
     let quaternion = |rng: &mut Pcg64| loop {
         let q = [0, 1, 2, 3].map(|_| f64::from(rng.random_range(-4i8..=4)));
         if q != [0.0; 4] {

@@ -4,7 +4,7 @@ use crate::zonotope::faces::{FaceLattice, Faces, Facet, faces};
 use crate::zonotope::{Zonotope, named};
 
 fn lattice(body: &Zonotope<3>) -> FaceLattice {
-    match faces(body).expect("few directions") {
+    match faces(body, &mut ()).expect("few directions") {
         Faces::Flat(lattice) | Faces::Solid(lattice) => lattice,
         Faces::Point(_) | Faces::Segment(_) => unreachable!("two directions"),
     }

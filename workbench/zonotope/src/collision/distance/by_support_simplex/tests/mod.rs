@@ -38,7 +38,7 @@ fn moderate() -> impl Strategy<Value = [f64; 3]> {
 
 /// Every promise of an answer: the status, the proof, the exact distance, the direction, the points and the faces.
 fn check<const D: usize>(query: &Query<'_, D>) -> Result<(), TestCaseError> {
-    let answer = proximity(query);
+    let answer = proximity(query, &mut ());
     prop_assert_eq!(answer.status(), location_twin::locate(query).status());
     let truth = brute_force::nearest_point(query);
     prop_assert_eq!(&answer.exact_squared_distance(), &truth.squared_distance);
@@ -161,7 +161,7 @@ fn many_generators() {
             let extreme = body.support(direction).point();
             let other = Zonotope::new(extreme.map(|c| factor * c), Vec::new()).expect("finite");
             let query = Query::between(&body, &other);
-            let answer = proximity(&query);
+            let answer = proximity(&query, &mut ());
             let gap = answer.gap().expect("beyond an extreme point");
             assert_eq!(check_distance(&query, gap).proof().map(drop), Ok(()));
         }

@@ -32,12 +32,6 @@
 //! and support values carry bounds of their errors. That the polytope may fail to be convex by such errors does not
 //! matter to the bounds (`polytope`).
 //!
-//! # Errors
-//! None: the query was validated when it was made.
-//!
-//! # Panics
-//! Never.
-//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family; [`by_facet_normals`](super::by_facet_normals).
 //!
@@ -47,7 +41,7 @@
 //! // two cubes [−1, 1]³ whose centres are (3/2, 1, 0) apart overlap by 1/2 along the first axis
 //! let cubes = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
 //! let query = Query::new([0.0; 3], [1.5, 1.0, 0.0], &cubes).unwrap();
-//! let depth = by_inner_polytope::penetration(&query);
+//! let depth = by_inner_polytope::penetration(&query, &mut ());
 //! assert!(depth.lower <= 0.5 && 0.5 <= depth.upper && depth.is_within(0.01));
 //! ```
 
@@ -60,7 +54,7 @@ use self::polytope::Polytope;
 use self::precision::{InDoubles, Listed, Precision};
 use super::Penetration;
 use crate::collision::Location;
-use crate::collision::by_lad::locate_counted;
+use crate::collision::by_lad::locate;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
@@ -87,13 +81,8 @@ const EXACT_VERTEX_LIMIT: usize = 1 << 12;
 const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
-pub fn penetration<P: Standing>(query: &Query<'_, 3, P>) -> Penetration<3> {
-    penetration_counted(query, &mut ())
-}
-
-/// [`penetration`], counting its operations.
-pub fn penetration_counted<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
-    match locate_counted(query, tally) {
+pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
+    match locate(query, tally) {
         Location::Inside(_) => of_inner_point(query, tally),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
     }

@@ -33,7 +33,7 @@ impl Tree {
         seed: u64,
         tally: &mut impl Tally,
     ) -> Self {
-        let cutting = cutting::cutting_counted(dual.lines(), r, seed, tally);
+        let cutting = cutting::cutting(dual.lines(), r, seed, tally);
         let lists = crossing_lists(dual.lines(), &cutting);
         let boundaries = boundaries_of_parts(&cutting);
         let mut builder = Builder {

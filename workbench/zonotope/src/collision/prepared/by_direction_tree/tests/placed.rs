@@ -51,14 +51,14 @@ fn a_diamond_worked_out_by_hand() {
         ([2.0, 0.0, 0.5], Status::Boundary, 1.0),
         ([3.0, 1.0, 0.0], Status::Outside, 2.0),
     ] {
-        assert_eq!(diamond.locate(point).map(|located| located.status()), Ok(status));
-        let measured = diamond.gauge(point).expect("finite");
+        assert_eq!(diamond.locate(point, &mut ()).map(|located| located.status()), Ok(status));
+        let measured = diamond.gauge(point, &mut ()).expect("finite");
         assert!((measured.value - gauge).abs() <= measured.error && measured.location.status() == status);
     }
-    assert!(diamond.locate([f64::NAN; 3]).is_err() && diamond.gauge([f64::INFINITY; 3]).is_err());
+    assert!(diamond.locate([f64::NAN; 3], &mut ()).is_err() && diamond.gauge([f64::INFINITY; 3], &mut ()).is_err());
     for (x, status) in [(2.5, Status::Inside), (3.0, Status::Boundary), (3.0f64.next_up(), Status::Outside)] {
         let moved = Pose::from_translation([x, 0.0, 0.0]).expect("finite");
-        assert_eq!(diamond.intersection(&tree.at(&moved)).status(), status);
+        assert_eq!(diamond.intersection(&tree.at(&moved), &mut ()).status(), status);
     }
     let apart = diamond.gauge_between(&tree.at(&Pose::from_translation([6.0, 0.0, 0.0]).expect("finite")));
     assert!((apart.value - 2.0).abs() <= apart.error);
@@ -75,11 +75,11 @@ fn posed_bodies_are_located_as_without_trees() {
                 let translation = vector([1.0, 1e-3, 100.0][round % 3] * (n as f64).sqrt(), random);
                 let poses = [pose(round, [0.0; 3], random), pose(round / 2, translation, random)];
                 let query = Query::of_placed(bodies[0].at(&poses[0]), bodies[1].at(&poses[1]));
-                let truth = by_lad::locate(&query);
+                let truth = by_lad::locate(&query, &mut ());
                 let [first, second] = [0, 1].map(|i| trees[i].at(&poses[i]));
-                check(&first.intersection(&second), &query, &truth);
+                check(&first.intersection(&second, &mut ()), &query, &truth);
                 let measured = first.gauge_between(&second);
-                let gauge = by_lad::gauge(&query);
+                let gauge = by_lad::gauge(&query, &mut ());
                 let is_same = measured.value == gauge.value
                     || (measured.value - gauge.value).abs() <= measured.error + gauge.error;
                 assert!(is_same, "{} ± {}, not {} ± {}", measured.value, measured.error, gauge.value, gauge.error);
@@ -101,12 +101,12 @@ fn points_near_the_boundary_of_a_turned_body() {
             let posed = tree.at(&pose);
             let away = vector(1.0, random);
             let middle = pose.exact_point(center).map(|c| c.to_f64());
-            let far = posed.gauge([0, 1, 2].map(|k| middle[k] + away[k])).expect("finite").value;
+            let far = posed.gauge([0, 1, 2].map(|k| middle[k] + away[k]), &mut ()).expect("finite").value;
             for gap in [0.3, 1e-3, 1e-9, 1e-15, 0.0, -1e-15, -1e-9, -1e-3] {
                 let point = [0, 1, 2].map(|k| middle[k] + away[k] * ((1.0 + gap) / far).min(1e300));
                 let query = Query::of_point_in(point, zonotope.at(&pose)).expect("finite");
-                let located = posed.locate(point).expect("finite");
-                check(&located, &query, &by_lad::locate(&query));
+                let located = posed.locate(point, &mut ()).expect("finite");
+                check(&located, &query, &by_lad::locate(&query, &mut ()));
             }
         }
     }
@@ -161,7 +161,7 @@ fn turning_bodies_are_asked_without_a_pass() {
         for (factor, status) in [(0.5, Status::Inside), (1.0 - 1e-9, Status::Inside), (1.0 + 1e-9, Status::Outside)] {
             let moved = Pose::new(other.matrix(), way.map(|c| factor * c / gauge)).expect("finite");
             let mut counts = OperationCounts::default();
-            let located = trees[0].at(&from).intersection_counted(&trees[1].at(&moved), &mut counts);
+            let located = trees[0].at(&from).intersection(&trees[1].at(&moved), &mut counts);
             assert_eq!(located.status(), status);
             assert!(counts.get(Operation::GeneratorRead) < 2 * n as u64 / 6, "{counts:?}");
         }

@@ -6,32 +6,32 @@ use crate::zonotope::Zonotope;
 
 /// A body of space, and Σ |g|_1 over its generators.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Body<'a> {
-    pub(super) zonotope: &'a Zonotope<3>,
+pub(in crate::motion::continuous) struct Body<'a> {
+    pub(in crate::motion::continuous) zonotope: &'a Zonotope<3>,
     magnitude: f64,
 }
 
 impl<'a> Body<'a> {
-    pub(super) fn of(zonotope: &'a Zonotope<3>) -> Self {
+    pub(in crate::motion::continuous) fn of(zonotope: &'a Zonotope<3>) -> Self {
         let magnitude: f64 = zonotope.generators().iter().flatten().map(|c| c.abs()).sum();
         Self { zonotope, magnitude: magnitude * LONG_SUM }
     }
 
-    pub(super) fn generators(&self) -> &'a [[f64; 3]] {
+    pub(in crate::motion::continuous) fn generators(&self) -> &'a [[f64; 3]] {
         self.zonotope.generators()
     }
 
-    pub(super) fn center(&self) -> [f64; 3] {
+    pub(in crate::motion::continuous) fn center(&self) -> [f64; 3] {
         self.zonotope.center()
     }
 
     /// A bound above Σ |g|_1, but for overflow.
-    pub(super) fn magnitude(&self) -> f64 {
+    pub(in crate::motion::continuous) fn magnitude(&self) -> f64 {
         self.magnitude
     }
 
     /// Σ |u · g| for each direction.
-    pub(super) fn reaches<T: Scalar, const K: usize>(&self, directions: &[[T; 3]; K]) -> [T; K] {
+    pub(in crate::motion::continuous) fn reaches<T: Scalar, const K: usize>(&self, directions: &[[T; 3]; K]) -> [T; K] {
         T::reaches(self.generators(), self.magnitude, directions)
     }
 }

@@ -15,23 +15,23 @@ use crate::numeric::tolerance::RATE_ROUNDING;
 
 /// A body that turns about an axis and whose base goes along a segment, for s from 0 to 1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rates {
+pub(in crate::motion::continuous) struct Rates {
     /// A unit vector of the axis in space; zero where nothing turns.
-    pub(super) axis: [f64; 3],
+    pub(in crate::motion::continuous) axis: [f64; 3],
     /// The angle of the stretch.
-    pub(super) angle: f64,
+    pub(in crate::motion::continuous) angle: f64,
     /// The largest rate of the angle.
-    pub(super) rate: f64,
+    pub(in crate::motion::continuous) rate: f64,
     /// The largest change of that rate.
-    pub(super) change: f64,
+    pub(in crate::motion::continuous) change: f64,
     /// Σ |v⊥| over the generators, and |c⊥| of the centre from the base.
-    pub(super) reach: f64,
+    pub(in crate::motion::continuous) reach: f64,
     /// How far the base goes.
-    pub(super) travel: [f64; 3],
+    pub(in crate::motion::continuous) travel: [f64; 3],
 }
 
 impl Rates {
-    pub(super) fn of(arc: &Arc<f64>, body: &Body<'_>) -> Self {
+    pub(in crate::motion::continuous) fn of(arc: &Arc<f64>, body: &Body<'_>) -> Self {
         let [from, to] = &arc.turns;
         let [x, y, z] = [0, 1, 2].map(|k| (arc.base[1][k] - arc.base[0][k]) / arc.weight);
         let still = Self { axis: [0.0; 3], angle: 0.0, rate: 0.0, change: 0.0, reach: 0.0, travel: [x, y, z] };
@@ -69,12 +69,12 @@ impl Rates {
     }
 
     /// How fast a point of the body goes along a unit direction beside the base, at most.
-    pub(super) fn speed_along(&self, u: &[f64; 3]) -> f64 {
+    pub(in crate::motion::continuous) fn speed_along(&self, u: &[f64; 3]) -> f64 {
         self.rate * self.reach * self.off_axis(u)
     }
 
     /// The largest second derivative of the place of a point along a unit direction, summed up over the generators.
-    pub(super) fn bend_along(&self, u: &[f64; 3]) -> f64 {
+    pub(in crate::motion::continuous) fn bend_along(&self, u: &[f64; 3]) -> f64 {
         (self.rate * self.rate + self.change) * self.reach * self.off_axis(u)
     }
 
