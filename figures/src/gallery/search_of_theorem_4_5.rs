@@ -9,10 +9,8 @@ use crate::style::{
     ENCLOSING, FOCUS, GREY, INK, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, PALE, Paint, REFLECTED, Shape, Stroke,
     text_size, weight,
 };
-use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
-use zonotope::lad::by_slope_selection::{self, SearchStep, Side};
-use zonotope::lad::{LadProblem, WeightedLine};
+use zonotope::enclosing::bisectors::Candidate;
+use zonotope::lad::by_slope_selection::{SearchStep, Side};
 use zonotope::numeric::Rational;
 
 /// The search of Theorem 4.5.
@@ -30,8 +28,7 @@ pub const FIGURE: Figure = Figure {
     draw,
 };
 
-/// The points of the figure. Their coordinates are even, so that the lines have integer coefficients and the search
-/// runs on exactly what is drawn.
+/// The points of the figure.
 const POINTS: [[f64; 2]; 7] =
     [[0.0, 32.0], [8.0, 10.0], [66.0, 2.0], [86.0, 22.0], [86.0, 40.0], [70.0, 60.0], [38.0, 66.0]];
 /// The seed of the random choices in slope selection, which affect the time only.
@@ -50,12 +47,6 @@ const ZONOGON: Paint = Paint::fill(ENCLOSING, 0.08).with_outline(Stroke::new(ENC
 const INPUT_POLYGON: Paint = Paint::fill(INPUT, 0.16).with_outline(Stroke::new(INPUT, weight::MEDIUM));
 const RULED_OUT: Paint = Paint::fill(PALE, 0.38);
 const NEWLY_RULED_OUT: Paint = Paint::fill(FOCUS, 0.25);
-
-/// A vertex of the arrangement.
-struct Vertex {
-    place: [f64; 2],
-    exact_x: Rational,
-}
 
 /// The strip of the candidates before a step; without ends at first.
 #[derive(Default)]
@@ -86,8 +77,8 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 /// A panel for each step of the search for the best centre around a polygon, and one for the answer.
 pub(crate) fn search(polygon: &Polygon, title: &str, description: &str) -> String {
     let lines = polygon.lines();
-    let vertices = vertices_of(&lines);
-    let (_, steps) = by_slope_selection::trace(&kernel_problem(&lines), SEED);
+    let vertices = polygon.candidates();
+    let steps = polygon.search(SEED);
 
     let width = CELL[0] * COLUMNS as f64;
     let legend_top = CELL[1] * (steps.len() + 1).div_ceil(COLUMNS) as f64;
@@ -142,45 +133,19 @@ fn draw_answer(scene: &mut Scene, cell: PageBox, polygon: &Polygon) {
     write_head(scene, &cell, "The answer", "the polygon in its zonogon of least area");
 }
 
-/// The coefficients a, b, c of each line a x + b y + c = 0; (a, b) is as long as half of the line's edge.
-fn rows(lines: &[DrawnLine]) -> Vec<[f64; 3]> {
-    let row = |line: &DrawnLine| {
-        let [a, b] = [-line.direction[1], line.direction[0]];
-        [a, b, -(a * line.point[0] + b * line.point[1])]
-    };
-    lines.iter().map(row).collect()
-}
-
-/// Half the part of f that depends on the centre.
-fn kernel_problem(lines: &[DrawnLine]) -> LadProblem<'static> {
-    let lines: Vec<WeightedLine> =
-        rows(lines).into_iter().map(|[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).expect("corners that are drawn are of ordinary size")
-}
-
-fn vertices_of(lines: &[DrawnLine]) -> Vec<Vertex> {
-    let arrangement = LineArrangement::from_rows(&rows(lines)).expect("corners that are drawn are of ordinary size");
-    let vertex = |vertex: &ArrangementVertex| {
-        let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
-        let [x, y, w] = first.meet(&second);
-        Vertex { place: [x.ratio(&w), y.ratio(&w)], exact_x: vertex.exact_x() }
-    };
-    Method::BruteForce.all_vertices(&arrangement, 0).iter().map(vertex).collect()
-}
-
 /// A step with what is needed to draw it.
 struct Step<'a> {
     number: usize,
     step: &'a SearchStep,
     strip: &'a Strip,
     lines: &'a [DrawnLine],
-    vertices: &'a [Vertex],
+    vertices: &'a [Candidate],
 }
 
 /// The content of a panel, and its scale beside that of the first panel.
 fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
     let &Step { step, strip, vertices, .. } = drawn;
-    let all = WorldBox::around(vertices.iter().map(|vertex| &vertex.place)).grown(0.05);
+    let all = WorldBox::around(vertices.iter().map(|vertex| &vertex.point)).grown(0.05);
     let left = strip.left.as_ref().map_or(all.min[0], |(x, _)| *x);
     let right = strip.right.as_ref().map_or(all.max[0], |(x, _)| *x);
     let size = [0, 1].map(|axis| all.max[axis] - all.min[axis]);
@@ -226,8 +191,8 @@ fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
     }
     panel.scene().segment(PagePoint::new(here, window.min.y), PagePoint::new(here, window.max.y), &VERTICAL);
     for vertex in vertices {
-        if window.holds(panel.place(vertex.place)) {
-            panel.marker(vertex.place, if strip.holds(&vertex.exact_x) { &CANDIDATE } else { &DISCARDED });
+        if window.holds(panel.place(vertex.point)) {
+            panel.marker(vertex.point, if strip.holds(&vertex.exact_x) { &CANDIDATE } else { &DISCARDED });
         }
     }
     if let Some(minimum) = step.minimum {

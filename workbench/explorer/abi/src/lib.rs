@@ -7,6 +7,7 @@
 //! | entry | the text in the buffer | the text that comes out |
 //! | --- | --- | --- |
 //! | [`answer`] | a question, as a line of JSON | the answer, as a line of JSON |
+//! | [`picture`] | a question for a picture | its data, as a line of JSON |
 //! | [`verify`] | a question, then directly an answer | `right`, `wrong` or `unchecked`; next line: the reason |
 //! | [`failure`] | none | the message of the panic after which an entry did not return |
 //!
@@ -46,6 +47,12 @@ pub extern "C" fn output() -> *const u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> usize {
     leave(batch::answer(&text(&INPUT.take())))
+}
+
+/// Makes the data of the picture that the question in the buffer asks for; returns its length in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn picture() -> usize {
+    leave(batch::picture(&text(&INPUT.take())))
 }
 
 /// Checks an answer against its question exactly. The question is the first `question_bytes` bytes of the buffer, the

@@ -9,21 +9,25 @@
 //! e_t × (O − m_t)) with m_t on ℓ_t. Since max(0, d) = (d + |d|) / 2 and the edges of a polygon add up to zero, the
 //! linear parts cancel up to a constant.
 
+mod area;
 mod corners;
 mod frame;
 mod lines;
 mod pairs;
+mod search;
 
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
+pub use area::{AreaFunction, Bend};
 pub(crate) use frame::{Frame, NearestCenter};
 use lines::Lines;
+pub use search::{Candidate, PruningCell};
 
 /// The lines ℓ_t of a hull with area.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Bisectors<'h> {
     hull: &'h ConvexHull,
     farthest: &'h [FarthestVertex],
