@@ -1,0 +1,6 @@
+/** The chapters, in the order in which the page lists them. */
+
+import type { AnyChapter } from "../kit/chapter";
+import { smallestZonogon } from "./smallest_zonogon";
+
+export const chapters: readonly AnyChapter[] = [smallestZonogon];
