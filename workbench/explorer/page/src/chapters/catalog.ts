@@ -2,5 +2,6 @@
 
 import type { AnyChapter } from "../kit/chapter";
 import { smallestZonogon } from "./smallest_zonogon";
+import { tilingChapter } from "./tiling";
 
-export const chapters: readonly AnyChapter[] = [smallestZonogon];
+export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter];

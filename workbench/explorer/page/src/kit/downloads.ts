@@ -29,6 +29,7 @@ export function standalone(picture: SVGSVGElement): string {
   });
   copy.querySelectorAll('[display="none"]').forEach((element) => element.remove());
   const { width, height } = picture.getBoundingClientRect();
+  copy.removeAttribute("style");
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
   copy.setAttribute("width", String(Math.round(width)));
   copy.setAttribute("height", String(Math.round(height)));
