@@ -2,6 +2,7 @@
 
 import type { AnyChapter } from "../kit/chapter";
 import { smallestZonogon } from "./smallest_zonogon";
+import { insideChapter } from "./inside";
 import { tilingChapter } from "./tiling";
 
-export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter];
+export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter];
