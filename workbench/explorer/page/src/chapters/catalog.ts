@@ -1,8 +1,9 @@
 /** The chapters, in the order in which the page lists them. */
 
 import type { AnyChapter } from "../kit/chapter";
+import { motionChapter } from "./motion";
 import { smallestZonogon } from "./smallest_zonogon";
 import { insideChapter } from "./inside";
 import { tilingChapter } from "./tiling";
 
-export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter];
+export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter, motionChapter];

@@ -97,6 +97,11 @@ export interface Tiling {
   readonly left_side: readonly number[];
 }
 
+/** The corners of a tile in order around it. */
+export function outline(tile: Tiling["tiles"][number]): number[] {
+  return [...tile.left, ...[...tile.right].reverse().slice(1, -1)];
+}
+
 /** The tiling of the upper hull's shadow, and the arrangement dual to it. */
 export function tiling(generators: readonly Vec3[]): Question<Tiling> {
   return picture("tiling", { generators });

@@ -4,7 +4,7 @@ import type { Exercise } from "../../kit/chapter";
 import { digits } from "../../kit/vectors";
 import { gauge, locate, meet } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
-import { CUBE, RHOMBIC } from "../tiling/presets";
+import { CUBE, RHOMBIC } from "../../data/bodies";
 import { bodyOf, first, otherOf, question, sumOf, type State } from "./state";
 
 const cube: Body = { center: [0, 0, 0], generators: CUBE };

@@ -3,7 +3,7 @@
 import { lineOf } from "../../engine/questions";
 import type { Chapter, OwnData } from "../../kit/chapter";
 import { digits, scale3, tidy3 } from "../../kit/vectors";
-import { CUBE, randomGenerators } from "../tiling/presets";
+import { CUBE, randomGenerators } from "../../data/bodies";
 import { directionsFigure } from "./directions_figure";
 import { exercises } from "./exercises";
 import { presets } from "./presets";

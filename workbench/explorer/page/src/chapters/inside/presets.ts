@@ -2,7 +2,7 @@
 
 import type { Preset } from "../../kit/chapter";
 import type { Vec3 } from "../../library/shapes";
-import { CUBE, polar, RHOMBIC, TRUNCATED } from "../tiling/presets";
+import { CUBE, polar, RHOMBIC, TRUNCATED } from "../../data/bodies";
 import { first, type State } from "./state";
 
 const of = (generators: readonly Vec3[], point: Vec3, others: readonly Vec3[] = []): State => ({ generators, many: 0, point, others, step: 0 });

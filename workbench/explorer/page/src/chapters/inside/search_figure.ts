@@ -7,9 +7,8 @@ import { boxAround, PlaneView } from "../../kit/plane_view";
 import { Stepper } from "../../kit/stepper";
 import { digits } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
-import type { LocationSearch } from "../../library/pictures";
+import { outline, type LocationSearch } from "../../library/pictures";
 import type { Vec2 } from "../../library/shapes";
-import { outline } from "../tiling/tiling_figure";
 import type { Answers, State } from "./state";
 
 const LAYERS = ["tiles", "found", "chains", "point"] as const;

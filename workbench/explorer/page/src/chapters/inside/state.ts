@@ -7,7 +7,7 @@ import { add3 } from "../../kit/vectors";
 import { faces, locationSearch, planeOfDirections, tiling, type Faces, type LocationSearch, type PlaneOfDirections, type Tiling } from "../../library/pictures";
 import { apart, gauge, locate, meet, type Apart, type Gauge, type Located, type Meeting } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
-import { randomGenerators } from "../tiling/presets";
+import { randomGenerators } from "../../data/bodies";
 
 export interface State {
   /** The generators of the body, around the origin. */

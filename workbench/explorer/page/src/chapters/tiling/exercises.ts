@@ -1,10 +1,10 @@
 /** The exercises of the chapter; the library marks them. */
 
+import { PARALLEL, polar } from "../../data/bodies";
 import type { Exercise } from "../../kit/chapter";
 import { tiling } from "../../library/pictures";
 import { count } from "../../library/space";
 import type { Vec3 } from "../../library/shapes";
-import { polar, PARALLEL } from "./presets";
 import { first, TILING_AT_ONCE, type State } from "./state";
 
 /** Six generators of which no three lie in a plane. */

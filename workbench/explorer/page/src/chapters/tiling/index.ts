@@ -1,5 +1,6 @@
 /** The chapter on the duality of lines and tiles: Section 3 and Figure 1. */
 
+import { polar, randomGenerators, TRUNCATED } from "../../data/bodies";
 import { lineOf } from "../../engine/questions";
 import type { Chapter, Control, Figure, OwnData } from "../../kit/chapter";
 import { Stepper } from "../../kit/stepper";
@@ -9,7 +10,7 @@ import { exercises } from "./exercises";
 import { generatorsFigure } from "./generators_figure";
 import { litSentence } from "./lighting";
 import { separator } from "./links";
-import { polar, presets, randomGenerators, TRUNCATED } from "./presets";
+import { presets } from "./presets";
 import { spaceFigure } from "./space_figure";
 import { first, later, MOST_GENERATORS, questions, read, type Answers, type Late, type State } from "./state";
 import text from "./text.html";

@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { standalone } from "../../kit/downloads";
 import { boxAround, PlaneView } from "../../kit/plane_view";
 import { mixed } from "../../kit/zone_colours";
-import type { Tiling } from "../../library/pictures";
+import { outline, type Tiling } from "../../library/pictures";
 import type { Vec2 } from "../../library/shapes";
 import { classColour, litTiles, separator } from "./links";
 import { stepLit } from "./lighting";
@@ -55,11 +55,6 @@ export function tilingFigure(control: Control<State>): Figure<State, Answers> {
       view.draw("marks", corner ? [view.dot(corner, 7, { fill: "var(--ink)" })] : []);
     },
   };
-}
-
-/** The corners of a tile in order around it. */
-export function outline(tile: Tiling["tiles"][number]): number[] {
-  return [...tile.left, ...[...tile.right].reverse().slice(1, -1)];
 }
 
 function meant(view: PlaneView, tiling: Tiling, point: Vec2): Lit | null {
