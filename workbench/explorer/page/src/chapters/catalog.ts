@@ -2,8 +2,9 @@
 
 import type { AnyChapter } from "../kit/chapter";
 import { motionChapter } from "./motion";
+import { shortChapter } from "./short";
 import { smallestZonogon } from "./smallest_zonogon";
 import { insideChapter } from "./inside";
 import { tilingChapter } from "./tiling";
 
-export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter, motionChapter];
+export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter, shortChapter, motionChapter];

@@ -6,7 +6,7 @@ import { fields, list, vec3, within } from "../../kit/reading";
 import { bodyAt } from "../../kit/placement";
 import { faces, type Faces } from "../../library/pictures";
 import { collide, count, meet, sweep, type Collision, type Motion } from "../../library/space";
-import type { Body, Vec3 } from "../../library/shapes";
+import type { Body } from "../../library/shapes";
 
 /** Two bodies and how they move during the step. */
 export interface Scene {
