@@ -24,6 +24,9 @@ export interface Mounted {
 /** A state has come to rest when it has not changed for so many milliseconds. */
 const REST = 160;
 
+/** A read-out of more letters is a sentence and not set as a number. */
+const LONGEST_NUMBER = 28;
+
 /** Read-outs are spoken after so many milliseconds without a change: at a human pace. */
 const SPEECH = 900;
 
@@ -118,6 +121,7 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
       const text = typeof value === "number" ? digits(value) : value;
       if (output.textContent !== text) output.textContent = text;
       output.dataset["value"] = String(value);
+      output.classList.toggle("sentence", text.length > LONGEST_NUMBER);
     });
   }
   for (const place of element.querySelectorAll("x-scrub")) {

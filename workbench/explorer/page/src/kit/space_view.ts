@@ -11,6 +11,7 @@ import { Handles, type Handle } from "./handles";
 import { Layer, type Shape } from "./layer";
 import { pickFacet, type Solid } from "./solid";
 import { pictureOf } from "./space_svg";
+import { length3, sub3 } from "./vectors";
 
 export interface SpaceHandle extends Omit<Handle, "at"> {
   readonly at: Vec3;
@@ -26,6 +27,9 @@ export interface SpaceEvents {
   /** A key was pressed while the picture has the focus; true where it was of use. */
   pressed?(key: string): boolean;
 }
+
+/** Part of the view's radius that its content has at least before the view is drawn anew around it. */
+const LEAST_PART = 0.55;
 
 /** The part of a turn that an arrow key makes, in radians. */
 const KEY_TURN = 0.09;
@@ -43,7 +47,9 @@ export class SpaceView {
   private handlesNow: readonly SpaceHandle[] = [];
   private namesNow: readonly { at: Vec3; text: string }[] = [];
   private linesNow: readonly { points: readonly Vec3[]; look: string }[] = [];
+  private middle: Vec3 = [0, 0, 0];
   private radius = 1;
+  private framed = false;
   private frame = 0;
   private width = 640;
   private height = 420;
@@ -79,10 +85,22 @@ export class SpaceView {
     return this.handles.dragging;
   }
 
-  /** Shows all places up to this distance from the origin; nothing changes while a handle is held. */
-  fit(radius: number): void {
-    if (this.dragging || !(radius > 0)) return;
-    if (radius > this.radius * 1.05 || radius < this.radius * 0.55 || this.radius === 1) this.radius = radius;
+  /**
+   * Shows these places, if they leave the view or have become small in it; else everything stays where it is. Nothing
+   * changes while a handle is held.
+   */
+  fit(places: readonly Vec3[]): void {
+    if (this.dragging || places.length === 0) return;
+    const along = (axis: 0 | 1 | 2) => places.map((place) => place[axis]);
+    const middle = ([0, 1, 2] as const).map((axis) => (Math.min(...along(axis)) + Math.max(...along(axis))) / 2) as unknown as Vec3;
+    const around = (center: Vec3) => Math.max(...places.map((place) => length3(sub3(place, center))), 1e-9);
+    const radius = around(middle);
+    if (around(this.middle) > this.radius * 1.02 || radius < this.radius * LEAST_PART || !this.framed) {
+      this.camera.position.add(new Vector3(...sub3(middle, this.middle)));
+      [this.middle, this.radius, this.framed] = [middle, radius, true];
+      this.controls?.target.set(...middle);
+      this.camera.lookAt(...middle);
+    }
     this.resize();
   }
 
@@ -199,12 +217,14 @@ export class SpaceView {
   }
 
   private turn(across: number, upwards: number): void {
-    const place = this.camera.position;
+    const middle = new Vector3(...this.middle);
+    const place = this.camera.position.clone().sub(middle);
     const far = place.length();
     const height = Math.min(Math.max(Math.asin(place.z / far) + upwards, -1.5), 1.5);
     const angle = Math.atan2(place.y, place.x) + across;
     place.set(far * Math.cos(height) * Math.cos(angle), far * Math.cos(height) * Math.sin(angle), far * Math.sin(height));
-    this.camera.lookAt(0, 0, 0);
+    this.camera.position.copy(place.add(middle));
+    this.camera.lookAt(middle);
     this.controls?.update();
     this.redraw();
   }

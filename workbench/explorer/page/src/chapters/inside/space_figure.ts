@@ -27,8 +27,9 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
     draw(state, answers) {
       draw(body, answers.body, "#0072b2");
       draw(other, answers.other, "#e69f00");
-      const reach = Math.max(2, ...(answers.body?.vertices ?? []).map(length3), ...(answers.other?.vertices ?? []).map(length3), length3(state.point));
-      view.fit(reach);
+      const places: Vec3[] = [[0, 0, 0], state.point, ...(answers.body?.vertices ?? []), ...(answers.other?.vertices ?? [])];
+      view.fit(places);
+      const reach = Math.max(...places.map(length3));
       const u = direction(answers);
       drawPlane(plane, state, u, reach);
       const path = coefficients(answers);

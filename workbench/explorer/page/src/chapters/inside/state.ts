@@ -48,7 +48,7 @@ const ORIGIN: Vec3 = [0, 0, 0];
 export const first = (): State => ({
   generators: [[1, 0.2, 0.5], [0.4, 0.9, 0.6], [-0.7, 0.8, 0.8], [0.7, -0.5, 0.9], [-0.1, 0.15, 1.1]],
   many: 0,
-  point: [1.6, 1.1, 1.2],
+  point: [2.1, 1.4, 1.2],
   others: [],
   step: 0,
 });

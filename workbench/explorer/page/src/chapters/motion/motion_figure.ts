@@ -69,7 +69,7 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
       const [a, b] = [bodyAt(scene.a, scene.moves.a, time), bodyAt(scene.b, scene.moves.b, time)];
       drawPlaced(first, answers.a, scene.moves.a, time, "#0072b2");
       drawPlaced(second, answers.b, scene.moves.b, time, "#e69f00");
-      view.fit(reach(scene.a, scene.moves.a, answers.a, scene.b, scene.moves.b, answers.b));
+      view.fit([...way(scene.a, scene.moves.a, answers.a), ...way(scene.b, scene.moves.b, answers.b)]);
       const { intervals } = answers.collision.result.certificate;
       const interval = intervals.find((one) => one.from <= time && time <= one.to) ?? null;
       const u = interval && directionAt(interval, scene.moves, time);
@@ -127,10 +127,13 @@ function reachIn(u: Vec3, body: Body): number {
   return body.generators.reduce((sum, generator) => sum + Math.abs(dot3(u, generator)), 0);
 }
 
-function reach(a: Body, moveA: Motion, facesA: Faces, b: Body, moveB: Motion, facesB: Faces): number {
-  const size = (body: Body, faces: Faces) => Math.max(0, ...faces.vertices.map((vertex) => length3(sub3(vertex, body.center))));
-  const far = (body: Body, motion: Motion) => Math.max(...[0, 0.5, 1].map((time) => length3(placeAt(body.center, motion, time))));
-  return Math.max(far(a, moveA) + size(a, facesA), far(b, moveB) + size(b, facesB));
+/** Places that a body comes to: at three times, a box around it whichever way it is turned. */
+function way(body: Body, motion: Motion, faces: Faces): Vec3[] {
+  const size = Math.max(0, ...faces.vertices.map((vertex) => length3(sub3(vertex, body.center))));
+  return [0, 0.5, 1].flatMap((time) => {
+    const center = placeAt(body.center, motion, time);
+    return ([[size, 0, 0], [-size, 0, 0], [0, size, 0], [0, -size, 0]] as const).map((shift) => add3(center, shift));
+  });
 }
 
 export function drawPlaced(solid: Solid, faces: Faces, motion: Motion, time: number, colour: string, opacity = 0.9): void {

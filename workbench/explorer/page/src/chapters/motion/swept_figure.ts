@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { html } from "../../kit/elements";
 import { Solid } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { digits, length3 } from "../../kit/vectors";
+import { digits } from "../../kit/vectors";
 import { drawPlaced } from "./motion_figure";
 import { METHODS, type Answers, type State } from "./state";
 
@@ -40,7 +40,7 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
       const shape = { vertices: around.vertices, facets: around.facets, edges: around.edges.map((edge) => edge.ends) };
       outer.draw(shape, { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
       copies.forEach((copy, index) => drawPlaced(copy, a, state.scene.moves.a, index / (COPIES - 1), "#0072b2", 0.8));
-      view.fit(Math.max(...around.vertices.map(length3)));
+      view.fit(around.vertices);
       view.draw([]);
       body.replaceChildren(
         ...(late?.volumes ?? []).map(({ method, volume, generators }) =>

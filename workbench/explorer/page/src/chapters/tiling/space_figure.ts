@@ -3,7 +3,7 @@
 import type { Control, Figure } from "../../kit/chapter";
 import { Solid } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { add3, length3, place3, tidy3 } from "../../kit/vectors";
+import { add3, place3, tidy3 } from "../../kit/vectors";
 import { mixed } from "../../kit/zone_colours";
 import type { Faces, Tiling } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
@@ -55,8 +55,7 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
         const colours = faces.facet_zones.map((zones, facet) => (lit.has(facet) ? LIT : mixed(zones.map((zone) => facetColours(faces, zone)))));
         const edges = faces.edges.map((edge) => edge.ends);
         solid.draw({ vertices: faces.vertices, facets: faces.facets, edges }, { facets: colours, opacity: 1, edge: "#20242a" });
-        const reach = Math.max(...faces.vertices.map(length3), ...state.generators.map(length3), 1e-9);
-        view.fit(reach);
+        view.fit([...faces.vertices, ...state.generators]);
         if (tiling) lines.push({ points: separator(tiling, state.sweep).map((corner) => tiling.vertices[corner] as Vec3), look: "sweep" });
       }
       const named = state.generators.length <= HANDLE_LIMIT;
