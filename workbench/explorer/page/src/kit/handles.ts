@@ -44,7 +44,7 @@ interface Drawn {
 export class Handles {
   readonly element = svg("g", { class: "handles" });
   private drawn = new Map<string, Drawn>();
-  private held: { id: string; offset: Vec2 } | null = null;
+  private held: { id: string; offset: Vec2; last: Vec2 } | null = null;
 
   constructor(private readonly events: HandleEvents) {}
 
@@ -72,7 +72,9 @@ export class Handles {
     drawn.handle = handle;
     const { group } = drawn;
     group.setAttribute("transform", `translate(${short(handle.at[0])} ${short(handle.at[1])})`);
-    if (group.getAttribute("aria-label") !== handle.label) group.setAttribute("aria-label", handle.label);
+    // What is read aloud begins with what is seen.
+    const label = handle.name ? `${handle.name}: ${handle.label}` : handle.label;
+    if (group.getAttribute("aria-label") !== label) group.setAttribute("aria-label", label);
     const name = group.lastElementChild as SVGElement;
     if (name.textContent !== (handle.name ?? "")) name.textContent = handle.name ?? "";
   }
@@ -93,7 +95,9 @@ export class Handles {
     group.addEventListener("pointerdown", (event) => this.take(drawn, event as PointerEvent));
     group.addEventListener("pointermove", (event) => this.pull(event as PointerEvent, false));
     group.addEventListener("pointerup", (event) => this.pull(event as PointerEvent, true));
-    group.addEventListener("pointercancel", (event) => this.pull(event as PointerEvent, true));
+    group.addEventListener("pointercancel", () => this.drop());
+    // Within a picture the style `touch-action` is not heeded: a finger on a handle must not scroll the page.
+    group.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     group.addEventListener("keydown", (event) => this.key(drawn, event as KeyboardEvent));
     group.addEventListener("focus", () => this.events.noticed?.(id));
     group.addEventListener("blur", () => this.events.noticed?.(null));
@@ -107,7 +111,7 @@ export class Handles {
     const distance = (one: Drawn) => Math.hypot(one.handle.at[0] - pointer[0], one.handle.at[1] - pointer[1]);
     for (const other of this.drawn.values()) if (distance(other) < distance(drawn)) drawn = other;
     const { at, id } = drawn.handle;
-    this.held = { id, offset: [at[0] - pointer[0], at[1] - pointer[1]] };
+    this.held = { id, offset: [at[0] - pointer[0], at[1] - pointer[1]], last: at };
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
     drawn.group.focus({ preventScroll: true });
     event.preventDefault();
@@ -118,8 +122,18 @@ export class Handles {
     if (!this.held) return;
     const pointer = this.pixels(event);
     const { id, offset } = this.held;
+    const place: Vec2 = [pointer[0] + offset[0], pointer[1] + offset[1]];
     if (finished) this.held = null;
-    this.events.moved(id, [pointer[0] + offset[0], pointer[1] + offset[1]], finished);
+    else this.held.last = place;
+    this.events.moved(id, place, finished);
+  }
+
+  /** The browser took the pointer away: the handle stays where it was last. */
+  private drop(): void {
+    if (!this.held) return;
+    const { id, last } = this.held;
+    this.held = null;
+    this.events.moved(id, last, true);
   }
 
   private key(drawn: Drawn, event: KeyboardEvent): void {
