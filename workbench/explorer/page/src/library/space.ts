@@ -102,3 +102,23 @@ export interface Reduced extends Body {
 export function reduce(body: Body, most: number, rule: string): Question<Reduced> {
   return { entry: "answer", kind: "reduce", input: { ...body, count: most, rule } };
 }
+
+/** A facet by its two generators, and the side on which it lies. */
+export type FacetName = readonly [number, number, 1 | -1];
+
+/** The four facets that have an edge in common with a facet. */
+export function walk(generators: readonly Vec3[], facet: FacetName): Question<{ neighbours: readonly FacetName[] }> {
+  return { entry: "answer", kind: "walk", input: { generators, facet } };
+}
+
+export interface Batch {
+  readonly status: readonly Status[];
+  /** Operations spent before the points, and on them. */
+  readonly build: number;
+  readonly query: number;
+}
+
+/** Where many points lie, by one of the methods that prepare the body or do not. */
+export function locateMany(body: Body, points: readonly Vec3[], method: string): Question<Batch> {
+  return { entry: "answer", kind: "member_batch", input: { ...body, points }, method };
+}
