@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
 import { normalOf, Solid, type SolidShape } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { cross3, digits, dot3, place3, tidy3 } from "../../kit/vectors";
+import { cross3, digits, dot3 } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
 import type { Faces } from "../../library/pictures";
 import type { FacetName } from "../../library/space";
@@ -14,19 +14,10 @@ import { RULES, type Answers, type State } from "./state";
 /** The colours of the facet on which the walk stands, of its neighbours, and of facets that it has been on. */
 const [HERE, NEXT, BEEN] = ["#d55e00", "#f0e442", "#e8b48a"];
 
-/** Generators up to which each is a handle. */
-const HANDLE_LIMIT = 16;
-
 const shapeOf = (faces: Faces): SolidShape => ({ vertices: faces.vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) });
 
 export function reducedFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new SpaceView("A body in a body of few generators", {
-    moved: (id, place, finished) => {
-      const { state } = control;
-      const generators = state.generators.map((one, index) => (String(index) === id ? tidy3(place) : one));
-      (finished ? control.commit : control.change)({ ...state, generators });
-    },
-  });
+  const view = new SpaceView("A body in a body of few generators", {});
   const [inner, outer] = [new Solid(), new Solid()];
   view.put("inner", inner);
   view.put("outer", outer);
@@ -40,8 +31,7 @@ export function reducedFigure(control: Control<State>): Figure<State, Answers> {
       inner.draw(shapeOf(body), { facets: body.facets.map(() => "#0072b2"), opacity: 1, edge: "#10202c" });
       outer.draw(shapeOf(around), { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
       view.fit([...around.vertices, ...body.vertices]);
-      const tips = state.generators.length <= HANDLE_LIMIT ? state.generators : [];
-      view.draw(tips.map((tip, index) => ({ id: String(index), at: tip, label: `Generator ${index + 1} at ${place3(tip)}`, look: "tip" })));
+      view.draw([]);
     },
   };
 }
