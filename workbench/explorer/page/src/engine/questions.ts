@@ -35,8 +35,26 @@ export class Refusal extends Error {
 /** The line of JSON of a question, as `zonobench solve` reads it. */
 export function lineOf(question: Question<unknown>): string {
   const { kind, input, method } = question;
-  const id = "page";
-  return JSON.stringify(method === undefined ? { id, kind, input } : { id, kind, input, method });
+  const named = method === undefined ? "" : `,"method":${JSON.stringify(method)}`;
+  return `{"id":"page","kind":${JSON.stringify(kind)},"input":${written(input)}${named}}`;
+}
+
+/** Lists of so many entries are written once: they stay while something else of the question is dragged. */
+const LONG = 200;
+
+const WRITTEN = new WeakMap<object, string>();
+
+/** The same text as that of `JSON.stringify`. */
+function written(value: unknown): string {
+  if (Array.isArray(value)) {
+    if (value.length < LONG) return JSON.stringify(value);
+    const before = WRITTEN.get(value) ?? JSON.stringify(value);
+    WRITTEN.set(value, before);
+    return before;
+  }
+  if (typeof value !== "object" || value === null) return JSON.stringify(value);
+  const fields = Object.entries(value).filter(([, field]) => field !== undefined);
+  return `{${fields.map(([name, field]) => `${JSON.stringify(name)}:${written(field)}`).join(",")}}`;
 }
 
 /** The answer in a line of JSON. */

@@ -50,6 +50,7 @@ export class SpaceView {
   private middle: Vec3 = [0, 0, 0];
   private radius = 1;
   private framed = false;
+  private sized = false;
   private frame = 0;
   private width = 640;
   private height = 420;
@@ -172,16 +173,18 @@ export class SpaceView {
   private resize(): void {
     const { clientWidth, clientHeight } = this.element;
     if (clientWidth === 0) return;
-    [this.width, this.height] = [clientWidth, clientHeight];
+    if (clientWidth !== this.width || clientHeight !== this.height || !this.sized) {
+      [this.width, this.height, this.sized] = [clientWidth, clientHeight, true];
+      this.over.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
+      this.renderer?.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+      this.renderer?.setSize(this.width, this.height, false);
+    }
     const scale = (this.radius * 1.18) / Math.min(this.width, this.height);
     this.camera.left = -scale * this.width;
     this.camera.right = scale * this.width;
     this.camera.top = scale * this.height;
     this.camera.bottom = -scale * this.height;
     this.camera.updateProjectionMatrix();
-    this.over.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
-    this.renderer?.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer?.setSize(this.width, this.height, false);
     this.redraw();
   }
 

@@ -57,6 +57,16 @@ export function areaSearch(points: readonly Vec2[]): Question<AreaSearch> {
   return picture("search_of_theorem_4_5", { points });
 }
 
+export interface Pruning {
+  /** The cells in the order in which they are drawn: the lines before it, those that cross it, its corners. */
+  readonly cells: readonly { readonly lines: number; readonly crossing: readonly number[]; readonly corners: readonly Vec2[] }[];
+}
+
+/** The search by pruning: cells around the best centre, and the few lines that cross them. */
+export function pruning(points: readonly Vec2[], limit: number): Question<Pruning> {
+  return picture("pruning", { points, line_search_limit: limit });
+}
+
 export interface Faces {
   readonly dimension: number;
   readonly vertices: readonly Vec3[];
@@ -93,6 +103,8 @@ export interface Tiling {
     readonly left: readonly number[];
     readonly right: readonly number[];
     readonly dual: Vec2;
+    /** The facet among the faces of the same generators. */
+    readonly facet: number;
   }[];
   readonly left_side: readonly number[];
 }

@@ -81,7 +81,10 @@ export const bodyOf = (state: State): Body => ({ center: ORIGIN, generators: gen
 export const otherOf = (state: State): Body => ({ center: state.point, generators: state.others });
 
 /** The body of both generators, in which the point lies exactly if the two bodies meet (Lemma 5.1). */
-export const sumOf = (state: State): Body => ({ center: ORIGIN, generators: [...generatorsOf(state), ...state.others] });
+export function sumOf(state: State): Body {
+  const own = generatorsOf(state);
+  return { center: ORIGIN, generators: state.others.length > 0 ? [...own, ...state.others] : own };
+}
 
 export function question(state: State): Question<Located | Meeting> {
   return state.others.length > 0 ? meet(bodyOf(state), otherOf(state)) : locate(state.point, bodyOf(state));

@@ -10,7 +10,7 @@ import { lineFigure } from "./line_figure";
 import { presets, randomPoints } from "./presets";
 import { balance } from "./proof";
 import { proofFigure } from "./proof_figure";
-import { searchFigure } from "./search_figure";
+import { pruningFigure, searchFigure } from "./search_figure";
 import { first, later, questions, read, type Answers, type Late, type State } from "./state";
 import text from "./text.html";
 import { zonogonFigure } from "./zonogon_figure";
@@ -26,7 +26,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
   questions,
   later,
   exercises,
-  figures: { zonogon: zonogonFigure, line: lineFigure, proof: proofFigure, search: searchFigure },
+  figures: { zonogon: zonogonFigure, line: lineFigure, proof: proofFigure, search: searchFigure, pruning: pruningFigure },
   reads: {
     area: (_, { zonogon }) => zonogon.area,
     count: (state) => state.points.length,
@@ -36,6 +36,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     bends: (_, { line }) => Math.max(0, line.at.length - 2),
     closing: (state, answers) => closing(state, answers),
     bound: (_, { best }) => best.result.lower_bound,
+    pruned: (_, { late }) => prunedSentence(late),
     verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
   },
   scrubs: {
@@ -96,4 +97,11 @@ function closing(state: State, answers: Answers): string {
   // The page adds up in doubles; the verifier does it exactly.
   const rounded = sum.map((value) => (Math.abs(value) < 1e-9 ? 0 : value));
   return `(${digits(rounded[0] ?? 0)}, ${digits(rounded[1] ?? 0)})`;
+}
+
+function prunedSentence(late: Late | null): string {
+  const cells = late?.pruning?.cells ?? [];
+  if (cells.length === 0) return "For these points no cell is needed: there are too few lines.";
+  const told = cells.map((cell) => `${cell.crossing.length} of ${cell.lines}`).join(", then ");
+  return `Here the lines left are ${told}.`;
 }

@@ -79,3 +79,24 @@ function discarded(view: PlaneView, low: number, high: number) {
     ...(Number.isFinite(right) ? [blank(Math.max(right, 0), view.width)] : []),
   ];
 }
+
+/** The figure of pruning: ever smaller cells around the best centre, and the lines that cross them. */
+export function pruningFigure(control: Control<State>): Figure<State, Answers> {
+  const view = new PlaneView("The lines ℓ_t and the cells of pruning", ["lines", "cells", "center", "names"], {}, () => control.redraw());
+  return {
+    element: view.element,
+    svg: () => standalone(view.svg),
+    draw(state, answers) {
+      const { hull, lines } = answers.zonogon;
+      view.fit(boxAround(hull.map((index) => state.points[index] as Vec2)));
+      const cells = answers.late?.pruning?.cells ?? [];
+      const crossing = new Set(cells[cells.length - 1]?.crossing ?? []);
+      const drawn = lines.map(([one, other], index) => view.line(one, sub2(other, one), { class: crossing.has(index) ? "good" : "thin" }));
+      view.draw("lines", drawn.filter((line) => line !== null));
+      view.draw("cells", cells.map((cell) => view.polygon(cell.corners, { class: "run", fill: "var(--fill-blue)", "stroke-width": 2 })));
+      view.draw("center", [view.dot(answers.best.result.center, 5, { fill: "var(--green)" })]);
+      const names = cells.map((cell) => view.text(cell.corners[2] ?? [0, 0], `${cell.crossing.length} of ${cell.lines} lines`, { class: "quiet" }, [6, -6]));
+      view.draw("names", names);
+    },
+  };
+}

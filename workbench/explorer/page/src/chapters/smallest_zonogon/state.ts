@@ -4,7 +4,7 @@ import type { Answer, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { finite, fields, list, vec2, within } from "../../kit/reading";
 import { add2, length2, scale2, sub2 } from "../../kit/vectors";
-import { areaAlong, areaSearch, centeredZonogon, levelSets, zonogon, type AreaSearch, type CenteredZonogon } from "../../library/pictures";
+import { areaAlong, areaSearch, centeredZonogon, levelSets, pruning, zonogon, type AreaSearch, type CenteredZonogon, type Pruning } from "../../library/pictures";
 import { leastArea, type LeastArea } from "../../library/plane";
 import type { Vec2 } from "../../library/shapes";
 
@@ -24,6 +24,7 @@ export interface Late {
   readonly of: readonly Vec2[];
   readonly verdict: Verdict;
   readonly search: AreaSearch | null;
+  readonly pruning: Pruning | null;
   readonly levels: readonly (readonly Vec2[])[];
 }
 
@@ -39,6 +40,9 @@ export interface Answers {
 
 /** Points up to which the steps of the search are asked for. */
 const SEARCH_LIMIT = 200;
+
+/** Lines up to which pruning stops and walks along lines instead: so few that small hulls show cells, too. */
+const PRUNED = 4;
 
 /** Levels of f above its least value, as parts of it. */
 const LEVELS = [1.05, 1.15, 1.3, 1.5, 1.75, 2.1, 2.5, 3];
@@ -92,12 +96,13 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
   const best = await asking.askLater(leastArea(state.points));
   const least = Number(best.result.area);
   const hull = best.result.certificate.hull.length;
-  const [verdict, search, levels] = await Promise.all([
+  const [verdict, search, pruned, levels] = await Promise.all([
     asking.verifyLater(best),
     hull <= SEARCH_LIMIT && hull > 2 ? asking.askLater(areaSearch(state.points)) : null,
+    hull > 2 ? asking.askLater(pruning(state.points, PRUNED)) : null,
     state.levels && hull <= SEARCH_LIMIT && least > 0 ? asking.askLater(levelSets(state.points, LEVELS.map((part) => part * least))) : null,
   ]);
-  return { of: state.points, verdict, search: search?.result ?? null, levels: levels?.result.polygons ?? [] };
+  return { of: state.points, verdict, search: search?.result ?? null, pruning: pruned?.result ?? null, levels: levels?.result.polygons ?? [] };
 }
 
 /** The names of points: P with the number, from 1. */

@@ -15,32 +15,9 @@ export function facetColours(faces: Faces, zone: number): string {
   return zoneColour(faces.zones[zone]?.[0] ?? 0);
 }
 
-/** For each tile its facet: it has the same generators, and of the two that have them it is the upper one. */
-function facetsOfTiles(faces: Faces, tiling: Tiling): readonly (number | null)[] {
-  const before = REMEMBERED.get(tiling);
-  if (before?.faces === faces) return before.facets;
-  const upper = new Map<string, number>();
-  faces.facet_zones.forEach((zones, facet) => {
-    const name = names(zones.map((zone) => faces.zones[zone]?.[0] ?? -1));
-    const other = upper.get(name);
-    if (other === undefined || height(faces, facet) > height(faces, other)) upper.set(name, facet);
-  });
-  const facets = tiling.tiles.map(
-    ({ classes }) => upper.get(names(classes.map((index) => tiling.classes[index]?.generators[0] ?? -1))) ?? null,
-  );
-  REMEMBERED.set(tiling, { faces, facets });
-  return facets;
-}
-
-const REMEMBERED = new WeakMap<Tiling, { faces: Faces; facets: readonly (number | null)[] }>();
-
-export function facetOfTile(faces: Faces, tiling: Tiling, tile: number): number | null {
-  return facetsOfTiles(faces, tiling)[tile] ?? null;
-}
-
 /** The tile of a facet, or null for facets of the lower hull and vertical ones. */
-export function tileOfFacet(faces: Faces, tiling: Tiling, facet: number): number | null {
-  const found = facetsOfTiles(faces, tiling).indexOf(facet);
+export function tileOfFacet(tiling: Tiling, facet: number): number | null {
+  const found = tiling.tiles.findIndex((tile) => tile.facet === facet);
   return found < 0 ? null : found;
 }
 
@@ -103,12 +80,4 @@ export function separator(tiling: Tiling, rank: number): number[] {
     if (from >= 0) chain.splice(from, left.length, ...right);
   }
   return chain;
-}
-
-function names(indices: readonly number[]): string {
-  return [...indices].sort((one, other) => one - other).join();
-}
-
-function height(faces: Faces, facet: number): number {
-  return (faces.facets[facet] ?? []).reduce((sum, vertex) => sum + (faces.vertices[vertex]?.[2] ?? 0), 0);
 }

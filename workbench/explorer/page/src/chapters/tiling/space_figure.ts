@@ -7,7 +7,7 @@ import { add3, place3, tidy3 } from "../../kit/vectors";
 import { mixed } from "../../kit/zone_colours";
 import type { Faces, Tiling } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
-import { facetColours, facetOfTile, litTiles, separator, tileOfFacet, vertexOfCorner } from "./links";
+import { facetColours, litTiles, separator, tileOfFacet, vertexOfCorner } from "./links";
 import { stepLit } from "./lighting";
 import type { Answers, State } from "./state";
 
@@ -31,7 +31,7 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
       removed: (id) => control.commit({ ...control.state, lit: null, generators: control.state.generators.filter((_, index) => String(index) !== id) }),
       hovered: (hit) => {
         if (!hit || !shown?.tiling) return;
-        const tile = tileOfFacet(shown.faces, shown.tiling, hit.facet);
+        const tile = tileOfFacet(shown.tiling, hit.facet);
         const before = control.state.lit;
         if (tile === null || (before?.kind === "tile" && before.index === tile)) return;
         control.change({ ...control.state, lit: { kind: "tile", index: tile } });
@@ -51,7 +51,7 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
       shown = faces ? { faces, tiling } : null;
       const lines: { points: readonly Vec3[]; look: string }[] = [];
       if (faces) {
-        const lit = new Set([...(tiling ? litTiles(tiling, state.lit) : [])].map((tile) => tiling && facetOfTile(faces, tiling, tile)));
+        const lit = new Set([...(tiling ? litTiles(tiling, state.lit) : [])].map((tile) => tiling?.tiles[tile]?.facet));
         const colours = faces.facet_zones.map((zones, facet) => (lit.has(facet) ? LIT : mixed(zones.map((zone) => facetColours(faces, zone)))));
         const edges = faces.edges.map((edge) => edge.ends);
         solid.draw({ vertices: faces.vertices, facets: faces.facets, edges }, { facets: colours, opacity: 1, edge: "#20242a" });
