@@ -1,6 +1,6 @@
 // What every chapter owes its readers: presets, links, undo, downloads, takeaways, own data, slides.
 import { readFileSync } from "node:fs";
-import { holds, same } from "./kit.mjs";
+import { holds, same, text } from "./kit.mjs";
 
 export const options = { acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"] };
 
@@ -9,6 +9,7 @@ const OWN = {
   tiling: "1 0 0.5\n0 1 0.5\n1 1 0.2\n",
   inside: '{"center": [0, 0, 0], "generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}',
   short: '{"type": "LineString", "coordinates": [[0, 0], [2, 0], [2, 2]]}',
+  again: "1 0 0.5\n0 1 0.5\n1 1 0.2\n-1 1 0.3\n",
   motion: '{"generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}',
 };
 
@@ -35,10 +36,10 @@ export async function test(opened, library, { ids }) {
     await opened.rest();
     await page.locator('[data-tool="undo"]').click();
     await opened.rest();
-    same(JSON.stringify(await opened.state()), JSON.stringify(told), `${id}: the state of a link`);
+    same(text(await opened.state()), text(told), `${id}: the state of a link`);
     await page.locator('[data-tool="redo"]').click();
     await opened.rest();
-    holds(JSON.stringify(await opened.state()) !== JSON.stringify(told), `${id}: redo goes on`);
+    holds(text(await opened.state()) !== text(told), `${id}: redo goes on`);
 
     // The command holds a question that the library answers.
     await page.getByRole("button", { name: "Copy as command" }).click();
@@ -72,15 +73,17 @@ export async function test(opened, library, { ids }) {
     same(await page.locator("dialog").count(), 0, `${id}: own data are taken`);
 
     // Slides.
-    const before = JSON.stringify(await opened.state());
+    const before = text(await opened.state());
     await page.getByRole("button", { name: "Slides" }).click();
     holds(/^1 of/.test(await page.locator(".slide-bar .count").innerText()), `${id}: the first slide`);
+    const stage = await page.locator(".on-stage .view").boundingBox();
+    holds(stage.height > 300, `${id}: the figure of a slide is ${stage.height} pixels high`);
     await page.keyboard.press("ArrowRight");
     await opened.rest();
     holds(/^2 of/.test(await page.locator(".slide-bar .count").innerText()), `${id}: the second slide`);
     await page.keyboard.press("Escape");
     await opened.rest();
-    same(JSON.stringify(await opened.state()), before, `${id}: the state after the slides`);
+    same(text(await opened.state()), before, `${id}: the state after the slides`);
     same(await page.locator(".on-stage").count(), 0, `${id}: no figure stays on the stage`);
   }
 }

@@ -124,6 +124,11 @@ export function same(found, expected, about) {
   if (!Object.is(found, expected)) throw new Error(`${about}: ${found} where ${expected} is expected`);
 }
 
+/** A text that is the same for the same data, whatever the order of their fields. */
+export function text(data) {
+  return JSON.stringify(data, (_, value) => (value && typeof value === "object" && !Array.isArray(value) ? Object.fromEntries(Object.entries(value).sort()) : value));
+}
+
 export function holds(condition, about) {
   if (!condition) throw new Error(about);
 }

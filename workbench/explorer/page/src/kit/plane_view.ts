@@ -66,7 +66,7 @@ export class PlaneView {
     this.listen(events);
     new ResizeObserver(() => {
       const { clientWidth, clientHeight } = this.element;
-      if (clientWidth === 0 || (clientWidth === this.width && clientHeight === this.height)) return;
+      if (clientWidth === 0 || clientHeight === 0 || (clientWidth === this.width && clientHeight === this.height)) return;
       [this.width, this.height] = [clientWidth, clientHeight];
       this.frame(this.box);
       resized();

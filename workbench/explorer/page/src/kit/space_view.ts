@@ -172,7 +172,7 @@ export class SpaceView {
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.element;
-    if (clientWidth === 0) return;
+    if (clientWidth === 0 || clientHeight === 0) return;
     if (clientWidth !== this.width || clientHeight !== this.height || !this.sized) {
       [this.width, this.height, this.sized] = [clientWidth, clientHeight, true];
       this.over.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
