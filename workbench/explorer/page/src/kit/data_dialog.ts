@@ -10,6 +10,7 @@ export function dataDialog(
   store: Store<unknown>,
   control: Control<unknown>,
   told: (sentence: string) => void,
+  dropped?: File,
 ): void {
   const field = html("textarea", { rows: 8, "aria-label": "Data", placeholder: "0, 0\n2, 0\n0, 2" });
   const file = html("input", { type: "file", "aria-label": "A file with data" });
@@ -49,6 +50,7 @@ export function dataDialog(
     problem,
     html("div", { class: "tools" }, button("Show", take), button("Close", () => dialog.close())),
   );
+  void read(dropped);
   document.body.append(dialog);
   dialog.showModal();
 }

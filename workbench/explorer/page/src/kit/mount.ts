@@ -138,6 +138,9 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
   }
   element.querySelector("x-exercises")?.replaceWith(exerciseList(chapter, control, engine));
   element.append(speech);
+  listenForData(element);
+  const keys = (event: KeyboardEvent) => undoByKeys(event, store);
+  document.addEventListener("keydown", keys);
   schedule();
   resting = window.setTimeout(rest, REST);
   return {
@@ -146,12 +149,33 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
     control,
     figures,
     leave: () => {
+      document.removeEventListener("keydown", keys);
       cancelAnimationFrame(frame);
       clearTimeout(resting);
       clearTimeout(speaking);
       errand += 1;
     },
   };
+}
+
+/** Files that are dropped on the chapter go to its dialog for own data. */
+function listenForData(element: HTMLElement): void {
+  element.addEventListener("dragover", (event) => event.preventDefault());
+  element.addEventListener("drop", (event) => {
+    event.preventDefault();
+    const file = event.dataTransfer?.files[0];
+    if (file) element.querySelector(".toolbox")?.dispatchEvent(new CustomEvent("datadropped", { detail: file }));
+  });
+}
+
+function undoByKeys(event: KeyboardEvent, store: Store<unknown>): void {
+  const typing = (event.target as Element).closest("input, textarea, select");
+  if (typing || !(event.ctrlKey || event.metaKey)) return;
+  const key = event.key.toLowerCase();
+  if (key === "z" && !event.shiftKey) store.undo();
+  else if (key === "y" || key === "z") store.redo();
+  else return;
+  event.preventDefault();
 }
 
 function made<Made>(all: Readonly<Record<string, Made>>, name: string, chapter: string): Made {

@@ -1,4 +1,4 @@
-/** A number in a sentence that the reader changes: pulled to the left and right, by arrow keys, or typed in. */
+/** A number in a sentence that the reader changes: pulled to the left and right, by arrow keys, or typed in after Enter or a double click. */
 
 import type { Control, Scrub } from "./chapter";
 import { html } from "./elements";
@@ -41,7 +41,30 @@ export function scrubber<State>(scrub: Scrub<State>, control: Control<State>) {
   };
   element.addEventListener("pointerup", release);
   element.addEventListener("pointercancel", release);
+  const type = () => {
+    const field = html("input", { type: "number", min: scrub.least, max: scrub.most, step: scrub.step, "aria-label": scrub.label, class: "typed" });
+    field.value = String(scrub.get(control.state));
+    element.replaceWith(field);
+    field.select();
+    const end = (keep: boolean) => {
+      if (!field.isConnected) return;
+      const value = field.valueAsNumber;
+      field.replaceWith(element);
+      element.focus();
+      if (keep && Number.isFinite(value)) put(value, true);
+    };
+    field.addEventListener("blur", () => end(true));
+    field.addEventListener("keydown", (event) => {
+      if (event.key === "Enter" || event.key === "Escape") end(event.key === "Enter");
+      event.stopPropagation();
+    });
+  };
+  element.addEventListener("dblclick", type);
   element.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") {
+      event.preventDefault();
+      return type();
+    }
     const value = scrub.get(control.state);
     const steps: Record<string, number> = {
       ArrowRight: value + scrub.step,

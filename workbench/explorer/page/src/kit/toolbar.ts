@@ -34,10 +34,11 @@ export function toolbar(
     if (chapter.random) control.commit(chapter.random(Number(seed.value) || 0, store.state));
     seed.value = String((Number(seed.value) + 1) % 10000);
   };
+  const ownData = (dropped?: File) => dataDialog(chapter, store, control, (sentence) => (note.textContent = sentence), dropped);
   const row = html("div", { class: "tools", role: "toolbar", "aria-label": "Tools of the chapter" }, choice);
   if (chapter.random) row.append(html("span", { class: "pair" }, button("Random", random), seed));
   row.append(
-    button("Own data …", () => dataDialog(chapter, store, control, (sentence) => (note.textContent = sentence))),
+    button("Own data …", () => ownData()),
     button("Undo", () => store.undo(), { "data-tool": "undo" }),
     button("Redo", () => store.redo(), { "data-tool": "redo" }),
     button("Reset", () => control.commit(chapter.first()), { "data-tool": "reset" }),
@@ -52,5 +53,8 @@ export function toolbar(
     ),
   );
   if (chapter.slides.length > 0) row.append(button("Slides", () => startSlides(chapter, control, figures)));
-  return html("div", { class: "toolbox" }, row, note);
+  const box = html("div", { class: "toolbox" }, row, note);
+  // A file may be dropped on any place of the chapter.
+  box.addEventListener("datadropped", (event) => ownData((event as CustomEvent<File>).detail));
+  return box;
 }

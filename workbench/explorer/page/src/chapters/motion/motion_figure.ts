@@ -42,9 +42,14 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
   });
   const told = html("p", { class: "told" });
   let playing = 0;
-  const play = button("Play", () => (playing ? stop() : start()), { "data-tool": "play" });
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const tenth = () => control.commit({ ...control.state, time: control.state.time >= 1 ? 0 : Math.min(1, control.state.time + 0.1) });
+  const play = calm
+    ? button("One tenth on", tenth, { "data-tool": "play" })
+    : button("Play", () => (playing ? stop() : start()), { "data-tool": "play" });
   const stop = () => {
-    if (playing) cancelAnimationFrame(playing);
+    if (!playing) return;
+    cancelAnimationFrame(playing);
     playing = 0;
     play.textContent = "Play";
   };
