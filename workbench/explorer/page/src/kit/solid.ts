@@ -34,6 +34,11 @@ export class Solid {
     this.objects = [this.faces, this.lines];
   }
 
+  /** Draws nothing. */
+  clear(): void {
+    this.draw({ vertices: [], facets: [], edges: [] }, { facets: [], opacity: 1, edge: "#000000" });
+  }
+
   draw(shape: SolidShape, look: SolidLook): void {
     [this.shape, this.look] = [shape, look];
     const corners = shape.facets.reduce((sum, facet) => sum + Math.max(0, facet.length - 2) * 3, 0);

@@ -3,6 +3,7 @@
 import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
 import { bodyAt, placeAt, turned } from "../../kit/placement";
+import { drawPlane } from "../../kit/separating_plane";
 import { Solid } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { TimeBar, type Span } from "../../kit/time_bar";
@@ -15,6 +16,9 @@ import type { Answers, State } from "./state";
 
 /** Seconds that the whole step takes when it plays. */
 const DURATION = 5;
+
+/** Half of the side of the separating square. */
+const PLANE_SIZE = 1.6;
 
 const LOOKS: Readonly<Record<Interval["frame"], string>> = { space: "", a: "other", b: "other", edges: "third" };
 
@@ -78,7 +82,7 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
       const { intervals } = answers.collision.result.certificate;
       const interval = intervals.find((one) => one.from <= time && time <= one.to) ?? null;
       const u = interval && directionAt(interval, scene.moves, time);
-      drawPlane(plane, u, a, b);
+      drawGap(plane, u, a, b);
       bar.draw(time, spans(answers));
       told.textContent = sentence(state, answers, interval, u, a, b);
       view.draw([
@@ -147,18 +151,12 @@ export function drawPlaced(solid: Solid, faces: Faces, motion: Motion, time: num
   solid.draw({ vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) }, { facets: colours, opacity, edge: "#20242a" });
 }
 
-/** A square in the gap between two bodies. */
-function drawPlane(plane: Solid, direction: Vec3 | null, a: Body, b: Body): void {
+/** The plane in the middle of the gap between two bodies. */
+function drawGap(plane: Solid, direction: Vec3 | null, a: Body, b: Body): void {
   const size = direction ? length3(direction) : 0;
-  if (!direction || size === 0) return plane.draw({ vertices: [], facets: [], edges: [] }, { facets: [], opacity: 1, edge: "#000000" });
+  if (!direction || size === 0) return plane.clear();
   const u = scale3(direction, 1 / size);
   const [end, begin] = [dot3(u, a.center) + reachIn(u, a), dot3(u, b.center) - reachIn(u, b)];
   const between = scale3(add3(a.center, b.center), 0.5);
-  const middle = add3(between, scale3(u, (end + begin) / 2 - dot3(u, between)));
-  const across = cross3(u, Math.abs(u[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]);
-  const side = scale3(across, 1 / (length3(across) || 1));
-  const up = cross3(u, side);
-  const corner = (s: number, t: number) => add3(middle, add3(scale3(side, 1.6 * s), scale3(up, 1.6 * t)));
-  const vertices = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-  plane.draw({ vertices, facets: [[0, 1, 2, 3]], edges: [[0, 1], [1, 2], [2, 3], [3, 0]] }, { facets: ["#d55e00"], opacity: 0.25, edge: "#d55e00" });
+  drawPlane(plane, add3(between, scale3(u, (end + begin) / 2 - dot3(u, between))), u, PLANE_SIZE);
 }
