@@ -18,7 +18,7 @@ pub struct DirectionPlane {
     /// For each generator v the line a x + b y + c = v · u, rounded; (0, 0, c) for one that is parallel to p.
     pub lines: Vec<[f64; 3]>,
     /// The point at which Σ |v · u| is least, each coordinate within a relative 2^-50: a normal of the facet through
-    /// which the ray along p leaves the body. None for a body that lies in a plane or on a line.
+    /// which the ray along p leaves the body. None where no such vertex is known, as for generators on a line.
     pub optimum: Option<[f64; 2]>,
     /// The gauge of p, 1 over the minimum, within a few units in the last place.
     pub gauge: f64,
@@ -83,11 +83,15 @@ mod tests {
     }
 
     #[test]
-    fn a_centre_has_no_plane_and_a_flat_body_no_optimum() {
-        let flat = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
-        let of = |point| direction_plane(&Query::of_point(point, &flat).expect("a point"));
-        assert_eq!(of([0.0; 3]), None);
-        let beside = of([0.0, 0.0, 2.0]).expect("no centre");
-        assert_eq!((beside.optimum, beside.gauge), (None, f64::INFINITY));
+    fn a_centre_has_no_plane_and_beside_a_flat_body_the_minimum_is_zero() {
+        let square = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let of = |point, generators: Vec<[f64; 3]>| {
+            let body = Zonotope::new([0.0; 3], generators).expect("finite");
+            direction_plane(&Query::of_point(point, &body).expect("a point"))
+        };
+        assert_eq!(of([0.0; 3], square.clone()), None);
+        let beside = of([0.0, 0.0, 2.0], square).expect("no centre");
+        assert_eq!((beside.optimum, beside.gauge), (Some([0.0, 0.0]), f64::INFINITY));
+        assert_eq!(of([1.0, 0.0, 0.0], Vec::new()).expect("no centre").optimum, None);
     }
 }
