@@ -9,7 +9,6 @@ use crate::style::{
     ENCLOSING, FOCUS, GREY, INK, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, PALE, Paint, REFLECTED, Shape, Stroke,
     text_size, weight,
 };
-use zonotope::enclosing::bisectors::Candidate;
 use zonotope::lad::by_slope_selection::{SearchStep, Side};
 use zonotope::numeric::Rational;
 
@@ -48,6 +47,12 @@ const INPUT_POLYGON: Paint = Paint::fill(INPUT, 0.16).with_outline(Stroke::new(I
 const RULED_OUT: Paint = Paint::fill(PALE, 0.38);
 const NEWLY_RULED_OUT: Paint = Paint::fill(FOCUS, 0.25);
 
+/// A vertex of the arrangement.
+struct Vertex {
+    place: [f64; 2],
+    exact_x: Rational,
+}
+
 /// The strip of the candidates before a step; without ends at first.
 #[derive(Default)]
 struct Strip {
@@ -77,7 +82,10 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 /// A panel for each step of the search for the best centre around a polygon, and one for the answer.
 pub(crate) fn search(polygon: &Polygon, title: &str, description: &str) -> String {
     let lines = polygon.lines();
-    let vertices = polygon.candidates();
+    let candidates = polygon.candidates().into_iter();
+    let mut vertices: Vec<Vertex> =
+        candidates.map(|vertex| Vertex { place: vertex.point, exact_x: vertex.exact_x() }).collect();
+    vertices.sort_by(|a, b| a.exact_x.cmp(&b.exact_x));
     let steps = polygon.search(SEED);
 
     let width = CELL[0] * COLUMNS as f64;
@@ -139,13 +147,13 @@ struct Step<'a> {
     step: &'a SearchStep,
     strip: &'a Strip,
     lines: &'a [DrawnLine],
-    vertices: &'a [Candidate],
+    vertices: &'a [Vertex],
 }
 
 /// The content of a panel, and its scale beside that of the first panel.
 fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
     let &Step { step, strip, vertices, .. } = drawn;
-    let all = WorldBox::around(vertices.iter().map(|vertex| &vertex.point)).grown(0.05);
+    let all = WorldBox::around(vertices.iter().map(|vertex| &vertex.place)).grown(0.05);
     let left = strip.left.as_ref().map_or(all.min[0], |(x, _)| *x);
     let right = strip.right.as_ref().map_or(all.max[0], |(x, _)| *x);
     let size = [0, 1].map(|axis| all.max[axis] - all.min[axis]);
@@ -191,8 +199,8 @@ fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
     }
     panel.scene().segment(PagePoint::new(here, window.min.y), PagePoint::new(here, window.max.y), &VERTICAL);
     for vertex in vertices {
-        if window.holds(panel.place(vertex.point)) {
-            panel.marker(vertex.point, if strip.holds(&vertex.exact_x) { &CANDIDATE } else { &DISCARDED });
+        if window.holds(panel.place(vertex.place)) {
+            panel.marker(vertex.place, if strip.holds(&vertex.exact_x) { &CANDIDATE } else { &DISCARDED });
         }
     }
     if let Some(minimum) = step.minimum {

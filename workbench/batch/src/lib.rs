@@ -12,7 +12,8 @@
 //! the input.
 //!
 //! The crate reads no files and has no command line, so that a page or another program can ask, answer and verify.
-//! Methods that need an engine for linear programs are there with the feature `linear-programming`.
+//! Methods that need an engine for linear programs are there with the feature `linear-programming`; without the default
+//! feature `every-dimension` all questions are of the plane and of space.
 //!
 //! ```
 //! let question =

@@ -12,7 +12,7 @@ use crate::fields::Fields;
 use crate::refusal::{Code, Refusal};
 
 /// The most lines of which all vertices are listed.
-const LISTED_LINE_LIMIT: usize = 200;
+const LISTED_LINE_LIMIT: usize = 100;
 
 pub(super) const THEOREM_4_5: Picture = Picture {
     name: "search_of_theorem_4_5",

@@ -2,10 +2,8 @@
 //!
 //! The kernel searches in a frame of its own. Its steps are brought back exactly and rounded once.
 
-use super::{Bisectors, Lines};
-use crate::arrangement::lines::LineSource;
-use crate::arrangement::slope_selection::Method;
-use crate::arrangement::{ExactLine, LineArrangement};
+use super::Bisectors;
+use crate::arrangement::ExactLine;
 use crate::lad::by_pruning;
 use crate::lad::by_slope_selection::{self, SearchStep};
 use crate::lad::kernel_input::ExactLines;
@@ -16,12 +14,11 @@ use crate::numeric::scaling::scale_by_power_of_two;
 /// A vertex of the arrangement of the lines ℓ_t.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// Two lines that meet there, by the edges of the hull.
+    /// Two lines that meet there, by the edges of the hull, the lower one first.
     pub lines: [usize; 2],
     /// Where it is, each coordinate within a relative 2^-50.
     pub point: [f64; 2],
-    /// Its abscissa, exactly.
-    pub exact_x: Rational,
+    homogeneous: [Dyadic; 3],
 }
 
 /// A cell of the search by pruning: every other line is on one side of it and is summed up.
@@ -35,20 +32,29 @@ pub struct PruningCell {
     pub corners: [[f64; 2]; 4],
 }
 
+impl Candidate {
+    /// Its abscissa, exactly.
+    pub fn exact_x(&self) -> Rational {
+        self.homogeneous[0].to_rational() / self.homogeneous[2].to_rational()
+    }
+}
+
 impl Bisectors<'_> {
-    /// The vertices of the arrangement of the lines ℓ_t from left to right, once for each pair of lines that cross: the
-    /// candidates of the search. O(h²) exact operations.
+    /// The vertices of the arrangement of the lines ℓ_t, once for each pair of lines that cross, in the order of the
+    /// second line: the candidates of the search. O(h²) exact operations.
     pub fn candidates(&self) -> Vec<Candidate> {
         let lines = self.lines();
-        let arrangement = LineArrangement::new(Box::new(lines), &mut ());
+        let exact: Vec<ExactLine> = (0..lines.farthest.len()).map(|t| ExactLines::line(&lines, t)).collect();
+        let pairs = (0..exact.len()).flat_map(|second| (0..second).map(move |first| [first, second]));
         let candidate = |lines: [usize; 2]| {
-            let [first, second] = lines.map(|line| ExactLines::line(&self.lines(), line));
-            let [x, y, w] = self.frame.center_of(&first.meet(&second));
-            let point = [x.ratio(&w), y.ratio(&w)];
-            Candidate { lines, point, exact_x: x.to_rational() / w.to_rational() }
+            let homogeneous = exact[lines[0]].meet(&exact[lines[1]]);
+            (!homogeneous[2].is_zero()).then(|| {
+                let homogeneous = self.frame.center_of(&homogeneous);
+                let [x, y, w] = &homogeneous;
+                Candidate { lines, point: [x.ratio(w), y.ratio(w)], homogeneous }
+            })
         };
-        let vertices = Method::BruteForce.all_vertices(&arrangement, 0);
-        vertices.iter().map(|vertex| candidate(vertex.lines.map(|line| line.position()))).collect()
+        pairs.filter_map(candidate).collect()
     }
 
     /// The vertical lines that the search of Theorem 4.5 draws; none where no two lines ℓ_t cross. `seed` decides the
@@ -88,16 +94,6 @@ impl Bisectors<'_> {
     }
 }
 
-impl LineSource for Lines<'_> {
-    fn len(&self) -> usize {
-        self.farthest.len()
-    }
-
-    fn line(&self, index: u32) -> ExactLine {
-        ExactLines::line(self, index as usize)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -122,7 +118,7 @@ mod tests {
             let best = min_area(&points).expect("the points are finite").proof;
             let (hull, farthest) = (best.hull(), best.farthest());
             let bisectors = Bisectors::new(hull, farthest);
-            let candidates = bisectors.candidates();
+            let candidates: Vec<Rational> = bisectors.candidates().iter().map(Candidate::exact_x).collect();
             let [center, _] = best.exact_center();
             let steps = bisectors.search_by_slope_selection(3);
             assert_eq!(steps[0].vertices_before, candidates.len() as u64);
@@ -131,9 +127,9 @@ mod tests {
                 let holds = |x: &Rational| {
                     strip[0].as_ref().is_none_or(|left| left < x) && strip[1].as_ref().is_none_or(|right| x < right)
                 };
-                let left_in = candidates.iter().filter(|candidate| holds(&candidate.exact_x)).count();
+                let left_in = candidates.iter().filter(|candidate| holds(candidate)).count();
                 assert_eq!(step.vertices_before, left_in as u64, "{size:?} {middle:?}");
-                assert!(candidates.iter().any(|candidate| candidate.exact_x == step.exact_x));
+                assert!(candidates.contains(&step.exact_x));
                 let minimum = step.exact_minimum.as_ref().expect("areas are bounded below");
                 assert_eq!(minimum[0], step.exact_x);
                 match step.side {
