@@ -7,12 +7,13 @@ const WIDTHS = [320, 360, 1280, 2560];
 export async function test(opened, _library, { ids, shots }) {
   const { page } = opened;
   if (shots) mkdirSync(shots, { recursive: true });
-  for (const scheme of ["light", "dark"]) {
-    for (const width of WIDTHS) {
-      await page.emulateMedia({ colorScheme: scheme });
-      await page.setViewportSize({ width, height: width < 500 ? 740 : width > 2000 ? 1440 : 900 });
-      for (const id of ids) {
-        await opened.chapter(id);
+  for (const id of ids) {
+    await opened.chapter(id);
+    for (const scheme of ["light", "dark"]) {
+      for (const width of WIDTHS) {
+        await page.emulateMedia({ colorScheme: scheme });
+        await page.setViewportSize({ width, height: width < 500 ? 740 : width > 2000 ? 1440 : 900 });
+        await page.waitForTimeout(300);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         holds(wide <= width, `${id}: the page is ${wide} pixels wide in a window of ${width}`);
         const over = await page.evaluate(overlaps);

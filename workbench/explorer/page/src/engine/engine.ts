@@ -10,13 +10,18 @@ interface Waiting {
 }
 
 export class Engine {
-  private readonly machine: Machine;
   private worker: Worker | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private errands = 0;
 
-  constructor(private readonly module: WebAssembly.Module, private readonly workerScript: string) {
-    this.machine = new Machine(module);
+  private constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly machine: Machine,
+    private readonly workerScript: string,
+  ) {}
+
+  static async open(module: WebAssembly.Module, workerScript: string): Promise<Engine> {
+    return new Engine(module, await Machine.open(module), workerScript);
   }
 
   /** Answers at once, in this thread. Throws a `Refusal` for a question that the library refuses. */
@@ -38,11 +43,6 @@ export class Engine {
   /** Lets the verifier check an answer in the worker. */
   verifyLater = async (answer: Answer<unknown>): Promise<Verdict> =>
     readVerdict(await this.send("verify", answer.question, answer.answer));
-
-  /** Whether the module answers questions for pictures. */
-  get pictures(): boolean {
-    return this.machine.has("picture");
-  }
 
   private send(entry: string, ...texts: string[]): Promise<string> {
     const number = ++this.errands;

@@ -18,18 +18,17 @@ interface Entries {
 export class Stopped extends Error {}
 
 export class Machine {
-  private entries: Entries | null = null;
+  private constructor(private readonly module: WebAssembly.Module, private entries: Entries | null) {}
 
-  constructor(private readonly module: WebAssembly.Module) {}
-
-  /** Whether the module has an entry of that name. */
-  has(entry: string): boolean {
-    return WebAssembly.Module.exports(this.module).some((one) => one.name === entry && one.kind === "function");
+  /** A large module can be made ready only in the background: browsers refuse to do it in the midst of a script. */
+  static async open(module: WebAssembly.Module): Promise<Machine> {
+    return new Machine(module, await begun(module));
   }
 
   /** Calls an entry with the texts in the buffer, one directly after the other, and returns the text that it leaves. */
   call(entry: string, ...texts: string[]): string {
-    const entries = (this.entries ??= this.begin());
+    const { entries } = this;
+    if (!entries) throw new Stopped("the library begins anew after it stopped; try again");
     const run = entries[entry];
     if (typeof run !== "function") throw new Stopped(`the module has no entry ${entry}`);
     const encoder = new TextEncoder();
@@ -41,19 +40,20 @@ export class Machine {
         new Uint8Array(entries.memory.buffer, start, part.length).set(part);
         start += part.length;
       }
-      return this.text(entries, run(parts[0]?.length ?? 0) as number);
+      return textOf(entries, run(parts[0]?.length ?? 0) as number);
     } catch (trap) {
       this.entries = null;
+      void begun(this.module).then((next) => (this.entries = next));
       if (!(trap instanceof WebAssembly.RuntimeError)) throw trap;
-      throw new Stopped(this.text(entries, entries.failure()) || trap.message);
+      throw new Stopped(textOf(entries, entries.failure()) || trap.message);
     }
   }
+}
 
-  private text(entries: Entries, length: number): string {
-    return new TextDecoder().decode(new Uint8Array(entries.memory.buffer, entries.output(), length));
-  }
+async function begun(module: WebAssembly.Module): Promise<Entries> {
+  return (await WebAssembly.instantiate(module)).exports as Entries;
+}
 
-  private begin(): Entries {
-    return new WebAssembly.Instance(this.module).exports as Entries;
-  }
+function textOf(entries: Entries, length: number): string {
+  return new TextDecoder().decode(new Uint8Array(entries.memory.buffer, entries.output(), length));
 }

@@ -10,5 +10,5 @@ export async function openEngine(): Promise<Engine> {
   const packed = Uint8Array.from(atob(inlined), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   const bytes = await new Response(stream).arrayBuffer();
-  return new Engine(await WebAssembly.compile(bytes), WORKER_SCRIPT);
+  return Engine.open(await WebAssembly.compile(bytes), WORKER_SCRIPT);
 }

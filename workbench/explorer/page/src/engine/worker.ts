@@ -10,17 +10,17 @@ export interface Errand {
 
 export type Report = { readonly number: number } & ({ readonly text: string } | { readonly failure: string });
 
-let machine: Machine | null = null;
+let machine: Promise<Machine> | null = null;
 
-self.onmessage = (event: MessageEvent<WebAssembly.Module | Errand>) => {
+self.onmessage = async (event: MessageEvent<WebAssembly.Module | Errand>) => {
   if (event.data instanceof WebAssembly.Module) {
-    machine = new Machine(event.data);
+    machine = Machine.open(event.data);
     return;
   }
   const { number, entry, texts } = event.data;
   let report: Report;
   try {
-    report = { number, text: (machine as Machine).call(entry, ...texts) };
+    report = { number, text: (await (machine as Promise<Machine>)).call(entry, ...texts) };
   } catch (failure) {
     report = { number, failure: String(failure instanceof Error ? failure.message : failure) };
   }
