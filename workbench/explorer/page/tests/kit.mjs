@@ -71,11 +71,8 @@ export class Opened {
 
   /** Waits until nothing is drawn any more and the worker has answered. */
   async rest() {
-    await this.page.waitForTimeout(350);
-    await this.page
-      .waitForFunction(() => !/checking …|being computed …/.test(document.querySelector("article")?.innerText ?? ""), null, { timeout: 30_000 })
-      .catch(() => undefined);
-    await this.page.waitForTimeout(100);
+    await this.page.waitForTimeout(60);
+    await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
   }
 
   /** The state that the address tells. */
@@ -102,8 +99,13 @@ export class Opened {
     await this.page.mouse.move(x, y);
     await this.page.mouse.down();
     await this.page.mouse.move(x + dx, y + dy, { steps });
+    await this.page.waitForTimeout(100);
+    // The view may be drawn anew around its content when the handle is let go, so the place is looked at before.
+    const box = await this.page.locator(`${selector} .mark`).first().boundingBox();
     await this.page.mouse.up();
     await this.rest();
+    const off = Math.hypot(box.x + box.width / 2 - x - dx, box.y + box.height / 2 - y - dy);
+    holds(off < 2, `the handle ${selector} is ${off} pixels off the pointer`);
   }
 
   async preset(name) {

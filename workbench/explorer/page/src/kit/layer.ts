@@ -41,18 +41,23 @@ export class Layer {
     for (const [name, value] of Object.entries(shape.attributes)) {
       const text = typeof value === "number" ? short(value) : value;
       if (drawn.attributes[name] === text) continue;
-      drawn.element.setAttribute(name, text);
+      // Rules of a style sheet are stronger than attributes, and properties of the element are stronger than both.
+      if (PAINT.has(name)) drawn.element.style.setProperty(name, text);
+      else drawn.element.setAttribute(name, text);
       drawn.attributes[name] = text;
     }
     for (const name of Object.keys(drawn.attributes)) {
       if (name in shape.attributes) continue;
-      drawn.element.removeAttribute(name);
+      if (PAINT.has(name)) drawn.element.style.removeProperty(name);
+      else drawn.element.removeAttribute(name);
       delete drawn.attributes[name];
     }
     const text = shape.text ?? "";
     if (drawn.text !== text) drawn.element.textContent = drawn.text = text;
   }
 }
+
+const PAINT: ReadonlySet<string> = new Set(["fill", "fill-opacity", "stroke", "stroke-width", "opacity"]);
 
 /** Pixels with two digits. */
 export function short(value: number): string {

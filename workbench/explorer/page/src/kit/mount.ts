@@ -43,10 +43,15 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
   let speaking = 0;
   let errand = 0;
 
-  const store = new Store<unknown>(state, (done) => {
+  // The chapter is busy from a change until everything that belongs to the new state is drawn.
+  const begun = () => {
+    element.setAttribute("aria-busy", "true");
     schedule();
     clearTimeout(resting);
     resting = window.setTimeout(rest, REST);
+  };
+  const store = new Store<unknown>(state, (done) => {
+    begun();
     if (done) finished(store.state);
   });
   const control: Control<unknown> = {
@@ -87,16 +92,18 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
   }
 
   async function rest(): Promise<void> {
-    if (!chapter.later) return;
     const mine = ++errand;
     try {
-      const answered = await chapter.later(store.state, engine);
+      const answered = await chapter.later?.(store.state, engine);
       if (mine !== errand) return;
-      late = answered;
-      schedule();
+      late = answered ?? null;
     } catch (failure) {
       if (!(failure instanceof Refusal || failure instanceof Stopped)) throw failure;
+      if (mine !== errand) return;
     }
+    cancelAnimationFrame(frame);
+    drawAll();
+    element.removeAttribute("aria-busy");
   }
 
   const figures = new Map<string, HTMLElement>();
@@ -107,7 +114,7 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
     drawings.push((now, told) => figure.draw(now, told));
     const framed = frameFigure(`${chapter.id}-${name}`, figure, place);
     figures.set(name, framed);
-    if (first) place.before(toolbar(chapter, store, control, figures), notice);
+    if (first) (place.closest(".figures") ?? place).before(toolbar(chapter, store, control, figures), notice);
     first = false;
     place.replaceWith(framed);
   }
@@ -141,8 +148,7 @@ export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finis
   listenForData(element);
   const keys = (event: KeyboardEvent) => undoByKeys(event, store);
   document.addEventListener("keydown", keys);
-  schedule();
-  resting = window.setTimeout(rest, REST);
+  begun();
   return {
     element,
     store,

@@ -1,7 +1,7 @@
 /** Questions for pictures: places and faces, as the library finds them. Indices count from 0. */
 
 import type { Question } from "../engine/questions";
-import type { Body, Status, Vec2, Vec3 } from "./shapes";
+import type { AnyNumber, Body, Status, Vec2, Vec3 } from "./shapes";
 
 function picture<Result>(kind: string, input: unknown): Question<Result> {
   return { entry: "picture", kind, input };
@@ -148,8 +148,10 @@ export interface PlaneOfDirections {
   readonly axes: readonly [Vec3, Vec3];
   /** a s + b t + c = 0 for the directions u = origin + s axes[0] + t axes[1] orthogonal to a generator. */
   readonly lines: readonly Vec3[];
-  readonly optimum: Vec2;
-  readonly value: number;
+  /** The lowest point; null where the reach falls without end, or is zero. */
+  readonly optimum: Vec2 | null;
+  /** One divided by the reach at the optimum. */
+  readonly gauge: AnyNumber;
 }
 
 /** The directions u with u · p = 1, in which the kernel looks for the one in which the body reaches least. */

@@ -19,7 +19,7 @@ export function directionsFigure(control: Control<State>): Figure<State, Answers
         for (const layer of ["lines", "optimum", "names"]) view.draw(layer, []);
         return;
       }
-      const [x, y] = plane.optimum;
+      const [x, y] = plane.optimum ?? [0, 0];
       const near = plane.lines.map(([a, b, c]) => Math.abs(a * x + b * y + c) / (Math.hypot(a, b) || 1)).filter(Number.isFinite);
       const radius = near.sort((one, other) => one - other)[Math.floor(near.length * 0.75)] || 1;
       view.fit(boxAround([[x - radius, y - radius], [x + radius, y + radius]]));
@@ -31,8 +31,8 @@ export function directionsFigure(control: Control<State>): Figure<State, Answers
         return line ? [line] : [];
       });
       view.draw("lines", lines);
-      view.draw("optimum", [view.dot(plane.optimum, 7, { fill: "var(--green)", stroke: "var(--paper)", "stroke-width": 2 })]);
-      view.draw("names", [view.text(plane.optimum, `reach ${digits(plane.value)}`, {}, [11, -9])]);
+      view.draw("optimum", !plane.optimum ? [] : [view.dot(plane.optimum, 7, { fill: "var(--green)", stroke: "var(--paper)", "stroke-width": 2 })]);
+      view.draw("names", !plane.optimum ? [] : [view.text(plane.optimum, `gauge ${digits(plane.gauge)}`, {}, [11, -9])]);
     },
   };
 }

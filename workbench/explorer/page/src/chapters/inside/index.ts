@@ -2,12 +2,13 @@
 
 import { lineOf } from "../../engine/questions";
 import type { Chapter, OwnData } from "../../kit/chapter";
-import { digits, scale3, tidy3 } from "../../kit/vectors";
+import { add3, digits, scale3, tidy3 } from "../../kit/vectors";
 import { CUBE, randomGenerators } from "../../data/bodies";
+import type { PlaneOfDirections } from "../../library/pictures";
 import { directionsFigure } from "./directions_figure";
 import { exercises } from "./exercises";
 import { presets } from "./presets";
-import { proofSentence, statusWord } from "./proof";
+import { proofSentence, reachIn, statusWord } from "./proof";
 import { insideSearchFigure } from "./search_figure";
 import { insideSpaceFigure } from "./space_figure";
 import { bodyOf, first, later, MOST_GENERATORS, otherOf, question, questions, read, type Answers, type Late, type State } from "./state";
@@ -30,7 +31,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     proof: proofSentence,
     verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
     gauge: (_, { gauge }) => gauge.gauge,
-    least: (_, { late }) => late?.directions?.value ?? "not defined here",
+    least: (state, { late }) => leastReach(state, late?.directions ?? null),
     apart: apartSentence,
   },
   scrubs: {},
@@ -43,9 +44,9 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   },
   slides: [
     { figure: "space", title: "Outside", words: "A plane stands between the body and the point.", make: first },
-    { figure: "space", title: "Inside", words: "A walk along the generators leads to the point.", make: () => ({ ...first(), point: [0.6, 0.5, 0.9] }) },
-    { figure: "search", title: "A search over separators", words: "Each separator leaves half of the tiles.", make: () => ({ ...first(), point: [0.6, 0.5, 0.9] }) },
-    { figure: "space", title: "Two bodies", words: "They meet if the way from centre to centre lies in the body of all generators.", make: () => ({ ...first(), point: [3.4, 1.4, 1.2], others: CUBE }) },
+    { figure: "space", title: "Inside", words: "A walk along the generators leads to the point.", make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }) },
+    { figure: "search", title: "A search over separators", words: "Each separator leaves half of the tiles.", make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }) },
+    { figure: "space", title: "Two bodies", words: "They meet if the way from centre to centre lies in the body of all generators.", make: () => ({ ...first(), point: [3.9, 1.4, 2.6], others: CUBE }) },
     { figure: "directions", title: "The plane of directions", words: "The reach is a convex function, bent along one line for each generator.", make: first },
   ],
   takeaways: (state) => {
@@ -64,6 +65,14 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 7), many: 0, step: 0 }),
   sentence: (state, answers) => `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge.gauge)}.`,
 };
+
+/** The reach in the direction at the lowest point. */
+function leastReach(state: State, plane: PlaneOfDirections | null): number | string {
+  if (!plane?.optimum) return "not defined here";
+  const { origin, axes, optimum } = plane;
+  const u = add3(origin, add3(scale3(axes[0], optimum[0]), scale3(axes[1], optimum[1])));
+  return reachIn(state, u);
+}
 
 function apartSentence(state: State, { late }: Answers): string {
   if (state.others.length === 0 || !late?.apart) return "";

@@ -55,7 +55,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
   },
   slides: [
     { figure: "zonogon", title: "Points, and their reflections", words: "A zonogon with centre O that holds the points holds their reflections, too.", make: first },
-    { figure: "zonogon", title: "A better centre", words: "At the best centre the zonogon has the least area.", make: () => ({ ...first(), center: [2.75, 1.85] }) },
+    { figure: "zonogon", title: "A better centre", words: "At the best centre the zonogon has the least area.", make: () => ({ ...first(), center: [2.9, 1.85] }) },
     { figure: "line", title: "A valley without side valleys", words: "Along every line the area falls, then rises.", make: first },
     { figure: "zonogon", title: "Level sets", words: "The area is a convex function of the centre.", make: () => ({ ...first(), levels: true }) },
     { figure: "search", title: "The search", words: "A vertical line through the middle candidate; half of them are discarded.", make: first },

@@ -40,7 +40,7 @@ export function randomPoints(seed: number, count: number): Vec2[] {
 }
 
 export const presets: readonly Preset<State>[] = [
-  { name: "Seven points", note: "Six of them are corners of the hull; the one inside changes nothing.", make: first },
+  { name: "Nine points", note: "Eight of them are corners of the hull; the one inside changes nothing.", make: first },
   { name: "Triangle", note: "Every centre in the triangle of the middles of its sides is a best one.", make: () => around([[0, 0], [4, 0], [1, 3]]) },
   { name: "Square", note: "It is a zonogon itself. All four lines meet in its middle.", make: () => around([[-1, -1], [1, -1], [1, 1], [-1, 1]]) },
   { name: "Regular pentagon", note: "The five lines make a small pentagon. Show the level sets of f.", make: () => around(regular(5, 2)) },
