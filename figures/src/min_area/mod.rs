@@ -1,5 +1,6 @@
 //! Shared parts of the figures of section 4.1: a polygon with its lines ℓ_t, the area f of Z(O), and its level sets.
 
+use zonotope::enclosing::area_function::AreaFunction;
 use zonotope::enclosing::bisectors::{Bisectors, Candidate};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::enclosing::min_area;
@@ -66,7 +67,7 @@ impl Polygon {
 
     /// The polygons of the centres O with f(O) at most each of the levels.
     pub fn level_sets(&self, levels: &[f64]) -> Vec<Vec<[f64; 2]>> {
-        self.bisectors().area_function().level_sets(levels)
+        AreaFunction::new(&self.hull, &self.farthest).level_sets(levels)
     }
 
     /// The vertices of the arrangement of the lines ℓ_t.

@@ -1,5 +1,7 @@
 // Every line of a file of questions is answered by the module and by the program: the same bytes are expected, and a
-// verdict that is not `wrong`.
+// verdict that is not `wrong`. The module leaves out what the page has no use for, which is counted: questions that are
+// neither of the plane nor of space, and methods that need an engine for linear programs. It takes one line at a time,
+// so a complaint about JSON names line 1.
 //
 //     node check.mjs MODULE.wasm PROGRAM QUESTIONS.jsonl
 
@@ -32,12 +34,21 @@ const answers = expected.split("\n").filter((line) => line !== "");
 if (answers.length !== questions.length) {
   throw new Error(`${questions.length} questions, ${answers.length} answers of the program`);
 }
+/** Whether the module says that it leaves out what is asked. */
+function isLeftOut(answer) {
+  const { code, message } = JSON.parse(answer).error ?? {};
+  return (code === "dimension_mismatch" && message.includes("; 2 to 3 are taken")) || code === "unknown_method";
+}
+
 const verdicts = { right: 0, wrong: 0, unchecked: 0 };
-let different = 0;
+let [same, different, leftOut] = [0, 0, 0];
 questions.forEach((question, index) => {
   put(question);
   const given = take(answer());
-  if (given !== answers[index]) {
+  const elsewhere = answers[index].replace(`"line ${index + 1},`, '"line 1,').replace(`"line":${index + 1}}`, '"line":1}');
+  if (given === elsewhere) same += 1;
+  else if (isLeftOut(given)) leftOut += 1;
+  else {
     different += 1;
     console.log(`line ${index + 1}:\n  module  ${given.slice(0, 200)}\n  program ${answers[index].slice(0, 200)}`);
   }
@@ -46,5 +57,6 @@ questions.forEach((question, index) => {
   verdicts[verdict] += 1;
   if (verdict === "wrong") console.log(`line ${index + 1}: wrong: ${reason}`);
 });
-console.log(`${questions.length} questions, ${different} answers differ, verdicts ${JSON.stringify(verdicts)}`);
-process.exit(different + verdicts.wrong === 0 ? 0 : 1);
+console.log(`${questions.length} questions: ${same} answers are the same bytes, ${different} differ, ${leftOut} are left out`);
+console.log(`verdicts on the module's answers: ${JSON.stringify(verdicts)}`);
+process.exit(different + verdicts.wrong === 0 && 2 * same > questions.length ? 0 : 1);

@@ -5,7 +5,7 @@ use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
 use zonotope::hull::{ConvexHull, HullError, convex_hull};
 
-use super::vectors;
+use super::picture::vectors;
 use crate::fields::Fields;
 use crate::refusal::{Code, Refusal};
 

@@ -5,28 +5,12 @@
 //! proved, and the numbers are rounded, so pictures are no kinds: `solve` does not take them. Indices count from 0.
 
 mod lines_of_hull;
+mod picture;
 mod plane;
 mod searches;
 mod space;
 
-use serde_json::Value;
-
-use super::fields::Fields;
-use super::refusal::Refusal;
-use crate::json::{to_json, vector_to_json};
-
-/// A picture that can be asked for.
-#[derive(Debug)]
-pub struct Picture {
-    /// Its name.
-    pub name: &'static str,
-    /// What is drawn, in one line.
-    pub summary: &'static str,
-    /// The fields that its input must have.
-    pub fields: &'static [&'static str],
-    /// Makes the data.
-    pub(super) draw: fn(&Fields<'_>) -> Result<Value, Refusal>,
-}
+pub use picture::Picture;
 
 /// Every picture.
 pub static PICTURES: &[Picture] = &[
@@ -41,13 +25,3 @@ pub static PICTURES: &[Picture] = &[
     space::PLANE_OF_DIRECTIONS,
     searches::THEOREM_5_2,
 ];
-
-/// Vectors as a JSON list.
-fn vectors<const D: usize>(vectors: &[[f64; D]]) -> Value {
-    vectors.iter().map(|vector| vector_to_json(vector)).collect()
-}
-
-/// A number that may be missing.
-fn optional<T>(value: Option<T>, write: impl Fn(T) -> Value) -> Value {
-    value.map_or(Value::Null, write)
-}

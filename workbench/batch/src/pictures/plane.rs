@@ -1,11 +1,13 @@
 //! Pictures of zonogons, and of the area f(O) of Z(O).
 
 use serde_json::{Value, json};
+use zonotope::enclosing::area_function::{AreaFunction, Bend};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 
 use super::lines_of_hull::Hull;
-use super::{Picture, to_json, vector_to_json, vectors};
+use super::picture::{Picture, vectors};
 use crate::fields::Fields;
+use crate::json::{to_json, vector_to_json};
 use crate::refusal::Refusal;
 
 pub(super) const ZONOGON: Picture = Picture {
@@ -45,7 +47,7 @@ pub(super) const LEVEL_SETS: Picture = Picture {
     fields: &["points", "levels"],
     draw: |fields| {
         let hull = Hull::of(fields)?;
-        let sets = hull.bisectors().area_function().level_sets(&fields.numbers("levels")?);
+        let sets = AreaFunction::new(&hull.hull, &hull.farthest).level_sets(&fields.numbers("levels")?);
         let polygons: Vec<Value> = sets.iter().map(|polygon| vectors(polygon)).collect();
         Ok(json!({"polygons": polygons}))
     },
@@ -57,10 +59,8 @@ pub(super) const AREA_ALONG: Picture = Picture {
     fields: &["points", "from", "to"],
     draw: |fields| {
         let hull = Hull::of(fields)?;
-        let bends = hull.bisectors().area_function().along(fields.vector("from")?, fields.vector("to")?);
-        let list = |number: fn(&zonotope::enclosing::bisectors::Bend) -> f64| -> Value {
-            bends.iter().map(|bend| to_json(number(bend))).collect()
-        };
+        let bends = AreaFunction::new(&hull.hull, &hull.farthest).along(fields.vector("from")?, fields.vector("to")?);
+        let list = |number: fn(&Bend) -> f64| -> Value { bends.iter().map(|bend| to_json(number(bend))).collect() };
         Ok(json!({"at": list(|bend| bend.at), "area": list(|bend| bend.area)}))
     },
 };

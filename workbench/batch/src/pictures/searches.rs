@@ -7,8 +7,9 @@ use zonotope::collision::by_slope_selection::{self, Hull as SearchedHull, Side a
 use zonotope::lad::by_slope_selection::Side;
 
 use super::lines_of_hull::Hull;
-use super::{Picture, optional, to_json, vector_to_json, vectors};
+use super::picture::{Picture, optional, vectors};
 use crate::fields::Fields;
+use crate::json::{to_json, vector_to_json};
 use crate::refusal::{Code, Refusal};
 
 /// The most lines of which all vertices are listed.

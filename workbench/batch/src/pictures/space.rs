@@ -7,7 +7,8 @@ use zonotope::collision::by_lad::direction_plane;
 use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Zone, faces};
 
-use super::{Picture, optional, to_json, vector_to_json, vectors};
+use super::picture::{Picture, optional, vectors};
+use crate::json::{to_json, vector_to_json};
 use crate::refusal::{Code, Refusal};
 
 /// The most generators whose faces are listed.
@@ -101,7 +102,10 @@ pub(super) const TILING: Picture = Picture {
             let line = if class.is_vertical { Value::Null } else { vector_to_json(&class.line) };
             json!({"generators": class.generators, "line": line})
         });
-        let edge = |edge: &TileEdge| json!({"class": edge.class, "ends": [edge.upper, edge.lower], "tiles": [edge.left, edge.right]});
+        let edge = |edge: &TileEdge| {
+            let [ends, tiles] = [json!([edge.upper, edge.lower]), json!([edge.left, edge.right])];
+            json!({"class": edge.class, "ends": ends, "tiles": tiles})
+        };
         let tile = |tile: &FacetTile| {
             json!({
                 "classes": tile.classes,

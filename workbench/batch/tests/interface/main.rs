@@ -7,6 +7,7 @@ mod json;
 mod many_points;
 mod moving;
 mod near_the_largest_double;
+mod pictures;
 mod places;
 mod poses;
 mod sweeps;

@@ -8,16 +8,16 @@
 //! from one exact area. A corner of a level set lies on a line ℓ_t; a bounded level set is the convex hull of these
 //! corners, of which every line has two or none.
 
-use super::Bisectors;
-use crate::enclosing::centered_zonogon::CenteredZonogon;
-use crate::hull::convex_hull;
-use crate::lad::kernel_input::MadeLines;
+use super::bisectors::{Bisectors, Frame};
+use super::centered_zonogon::CenteredZonogon;
+use crate::hull::antipodal::FarthestVertex;
+use crate::hull::{ConvexHull, convex_hull};
 use crate::numeric::scaling::scale_by_power_of_two;
 
 /// The area of Z(O) around a hull.
 #[derive(Debug, Clone)]
-pub struct AreaFunction<'h> {
-    bisectors: Bisectors<'h>,
+pub struct AreaFunction {
+    frame: Frame,
     /// Rows (a, b, c) with e_t × (X − P_s − P_t) = a x + b y + c at the kernel point (x, y) of O.
     rows: Vec<[f64; 3]>,
     constant: f64,
@@ -40,28 +40,30 @@ struct Profile {
     outer_slopes: [f64; 2],
 }
 
-impl<'h> Bisectors<'h> {
-    /// f as a function. O(h) exact operations.
-    pub fn area_function(&self) -> AreaFunction<'h> {
-        let lines = self.lines();
-        let rows: Vec<[f64; 3]> = match *self.hull.vertices() {
-            [first, last] => vec![row_of_segment([first, last].map(|end| self.frame.scaled(end)))],
-            _ => (0..lines.farthest.len()).map(|t| lines.row(t).0).collect(),
+impl AreaFunction {
+    /// f around a hull, given the farthest vertex of each edge. O(h) exact operations.
+    ///
+    /// # Panics
+    /// When `farthest` does not have one vertex for each edge of the hull, or names one that the hull does not have.
+    pub fn new(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
+        let bisectors = Bisectors::new(hull, farthest);
+        let frame = bisectors.frame;
+        let rows = match *hull.vertices() {
+            [first, last] => vec![row_of_segment([first, last].map(|end| frame.scaled(end)))],
+            _ => bisectors.rows(),
         };
-        let function = AreaFunction { bisectors: self.clone(), rows, constant: 0.0 };
-        if !self.hull.has_area() {
+        let function = Self { frame, rows, constant: 0.0 };
+        if !hull.has_area() {
             return function;
         }
         // Near the reference the lines tell most about the constant, as the other term is least.
         let center = function.plane_point([0.0, 0.0]);
-        let exact = CenteredZonogon::new(self.hull, self.farthest, center, &mut ()).exact_area();
-        let area = exact.scaled(-self.frame.scale(0) - self.frame.scale(1)).to_f64();
+        let exact = CenteredZonogon::new(hull, farthest, center, &mut ()).exact_area();
+        let area = exact.scaled(-frame.scale(0) - frame.scale(1)).to_f64();
         let constant = area - function.varying(function.kernel_coordinates(center));
-        AreaFunction { constant, ..function }
+        Self { constant, ..function }
     }
-}
 
-impl AreaFunction<'_> {
     /// f at both ends of a segment and wherever it bends between them; it is affine from one to the next. O(h log h).
     pub fn along(&self, from: [f64; 2], to: [f64; 2]) -> Vec<Bend> {
         let [start, end] = [from, to].map(|point| self.kernel_coordinates(point));
@@ -77,7 +79,7 @@ impl AreaFunction<'_> {
     /// For each level the polygon of the points where f is at most the level, its corners counter-clockwise; empty
     /// below the minimum, and where f is bounded in some direction. O(h² log h) and O(h) for each level.
     pub fn level_sets(&self, levels: &[f64]) -> Vec<Vec<[f64; 2]>> {
-        let scale = -self.bisectors.frame.scale(0) - self.bisectors.frame.scale(1);
+        let scale = -self.frame.scale(0) - self.frame.scale(1);
         let mut corners = vec![Vec::new(); levels.len()];
         for &[a, b, c] in &self.rows {
             let square = a * a + b * b;
@@ -126,18 +128,18 @@ impl AreaFunction<'_> {
     }
 
     fn kernel_coordinates(&self, point: [f64; 2]) -> [f64; 2] {
-        let frame = &self.bisectors.frame;
+        let frame = &self.frame;
         let scaled = frame.scaled(point);
         [0, 1].map(|axis| 2.0 * scaled[axis] - frame.reference[axis])
     }
 
     fn plane_point(&self, point: [f64; 2]) -> [f64; 2] {
-        let frame = &self.bisectors.frame;
+        let frame = &self.frame;
         [0, 1].map(|axis| scale_by_power_of_two(point[axis] + frame.reference[axis], frame.scale(axis) - 1))
     }
 
     fn unscaled(&self, area: f64) -> f64 {
-        scale_by_power_of_two(area, self.bisectors.frame.scale(0) + self.bisectors.frame.scale(1))
+        scale_by_power_of_two(area, self.frame.scale(0) + self.frame.scale(1))
     }
 }
 
@@ -175,8 +177,7 @@ fn row_of_segment([from, to]: [[f64; 2]; 2]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hull::ConvexHull;
-    use crate::hull::antipodal::{FarthestVertex, farthest_vertices};
+    use crate::hull::antipodal::farthest_vertices;
 
     const POINTS: [[f64; 2]; 6] = [[0.0, 8.0], [2.0, 2.0], [16.0, 0.0], [21.0, 5.0], [17.0, 15.0], [9.0, 16.0]];
 
@@ -194,7 +195,7 @@ mod tests {
     fn along_a_segment_f_is_the_area_and_affine_between_its_bends() {
         for scale in [1.0, 1e-150, 1e150] {
             let (hull, farthest) = hull_of(&POINTS.map(|p| p.map(|c| c * scale)));
-            let function = Bisectors::new(&hull, &farthest).area_function();
+            let function = AreaFunction::new(&hull, &farthest);
             let [from, to] = [[-3.0, 1.0], [25.0, 13.0]].map(|p: [f64; 2]| p.map(|c| c * scale));
             let bends = function.along(from, to);
             assert_eq!((bends[0].at, bends[bends.len() - 1].at), (0.0, 1.0));
@@ -215,7 +216,7 @@ mod tests {
     fn around_a_segment_f_is_the_area_of_a_parallelogram_and_has_no_bounded_level_set() {
         for (points, bends) in [(vec![[1.0, 1.0], [3.0, 2.0]], 3), (vec![[1.0, 1.0]], 2)] {
             let (hull, farthest) = hull_of(&points);
-            let function = Bisectors::new(&hull, &farthest).area_function();
+            let function = AreaFunction::new(&hull, &farthest);
             let found = function.along([2.0, 0.0], [2.0, 6.0]);
             assert_eq!(found.len(), bends);
             for Bend { at, area } in found {
@@ -228,7 +229,7 @@ mod tests {
     #[test]
     fn f_has_the_level_at_the_corners_of_a_level_set_and_less_inside() {
         let (hull, farthest) = hull_of(&POINTS);
-        let function = Bisectors::new(&hull, &farthest).area_function();
+        let function = AreaFunction::new(&hull, &farthest);
         let least = crate::enclosing::min_area(&POINTS).expect("the points are finite").value;
         let levels = [0.99 * least, 1.05 * least, 2.0 * least, 10.0 * least];
         let sets = function.level_sets(&levels);
@@ -247,7 +248,7 @@ mod tests {
     fn level_sets_of_a_square_are_diamonds_around_its_middle() {
         // f(O) = 4 + 4 |x − 1| + 4 |y − 1| around the square of side 2: it has a line ℓ_t on each axis twice.
         let (hull, farthest) = hull_of(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
-        let sets = Bisectors::new(&hull, &farthest).area_function().level_sets(&[8.0, 4.0]);
+        let sets = AreaFunction::new(&hull, &farthest).level_sets(&[8.0, 4.0]);
         assert_eq!(sets, [vec![[0.0, 1.0], [1.0, 0.0], [2.0, 1.0], [1.0, 2.0]], vec![]]);
     }
 }
