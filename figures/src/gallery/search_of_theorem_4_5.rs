@@ -9,10 +9,7 @@ use crate::style::{
     ENCLOSING, FOCUS, GREY, INK, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, PALE, Paint, REFLECTED, Shape, Stroke,
     text_size, weight,
 };
-use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
-use zonotope::lad::by_slope_selection::{self, SearchStep, Side};
-use zonotope::lad::{LadProblem, WeightedLine};
+use zonotope::lad::by_slope_selection::{SearchStep, Side};
 use zonotope::numeric::Rational;
 
 /// The search of Theorem 4.5.
@@ -30,8 +27,7 @@ pub const FIGURE: Figure = Figure {
     draw,
 };
 
-/// The points of the figure. Their coordinates are even, so that the lines have integer coefficients and the search
-/// runs on exactly what is drawn.
+/// The points of the figure.
 const POINTS: [[f64; 2]; 7] =
     [[0.0, 32.0], [8.0, 10.0], [66.0, 2.0], [86.0, 22.0], [86.0, 40.0], [70.0, 60.0], [38.0, 66.0]];
 /// The seed of the random choices in slope selection, which affect the time only.
@@ -88,8 +84,11 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 /// A panel for each step of the search for the best centre around a polygon, and one for the answer.
 pub(crate) fn search(polygon: &Polygon, title: &str, description: &str) -> String {
     let lines = polygon.lines();
-    let vertices = vertices_of(&lines);
-    let (_, steps) = by_slope_selection::trace(&kernel_problem(&lines), SEED);
+    let candidates = polygon.candidates().into_iter();
+    let mut vertices: Vec<Vertex> =
+        candidates.map(|vertex| Vertex { place: vertex.point, exact_x: vertex.exact_x() }).collect();
+    vertices.sort_by(|a, b| a.exact_x.cmp(&b.exact_x));
+    let steps = polygon.search(SEED);
 
     let width = CELL[0] * COLUMNS as f64;
     let legend_top = CELL[1] * (steps.len() + 1).div_ceil(COLUMNS) as f64;
@@ -142,32 +141,6 @@ fn draw_answer(scene: &mut Scene, cell: PageBox, polygon: &Polygon) {
     panel.markers(polygon.vertices(), &INPUT_POINT);
     panel.marker(best.body.center(), &OPTIMAL_CENTER);
     write_head(scene, &cell, "The answer", "the polygon in its zonogon of least area");
-}
-
-/// The coefficients a, b, c of each line a x + b y + c = 0; (a, b) is as long as half of the line's edge.
-fn rows(lines: &[DrawnLine]) -> Vec<[f64; 3]> {
-    let row = |line: &DrawnLine| {
-        let [a, b] = [-line.direction[1], line.direction[0]];
-        [a, b, -(a * line.point[0] + b * line.point[1])]
-    };
-    lines.iter().map(row).collect()
-}
-
-/// Half the part of f that depends on the centre.
-fn kernel_problem(lines: &[DrawnLine]) -> LadProblem<'static> {
-    let lines: Vec<WeightedLine> =
-        rows(lines).into_iter().map(|[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).expect("corners that are drawn are of ordinary size")
-}
-
-fn vertices_of(lines: &[DrawnLine]) -> Vec<Vertex> {
-    let arrangement = LineArrangement::from_rows(&rows(lines)).expect("corners that are drawn are of ordinary size");
-    let vertex = |vertex: &ArrangementVertex| {
-        let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
-        let [x, y, w] = first.meet(&second);
-        Vertex { place: [x.ratio(&w), y.ratio(&w)], exact_x: vertex.exact_x() }
-    };
-    Method::BruteForce.all_vertices(&arrangement, 0).iter().map(vertex).collect()
 }
 
 /// A step with what is needed to draw it.

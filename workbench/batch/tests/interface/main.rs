@@ -8,6 +8,7 @@ mod many_points;
 mod moving;
 mod names;
 mod near_the_largest_double;
+mod pictures;
 mod places;
 mod poses;
 mod sweeps;

@@ -1,9 +1,11 @@
 //! `member_batch`: where many points lie relative to one zonotope.
 
 use serde_json::{Value, json};
+#[cfg(feature = "every-dimension")]
+use zonotope::collision::by_lad_in_r4;
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;
 use zonotope::collision::prepared::{DirectionTree, PreparedByFacets};
-use zonotope::collision::{Gauge, Query, Status, by_lad, by_lad_in_r4};
+use zonotope::collision::{Gauge, Query, Status, by_lad};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
@@ -58,6 +60,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
             let message = format!("`{method}` does not take a body under a pose; {BY_LAD} does");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
+        #[cfg(feature = "every-dimension")]
         1 if fields.has_pose() => under_pose::<1>(fields)?,
         2 if fields.has_pose() => under_pose::<2>(fields)?,
         3 if fields.has_pose() => under_pose::<3>(fields)?,
@@ -68,9 +71,11 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
             let message = format!("`{method}` does not answer in {dimension} dimensions; {BY_LAD} would");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
+        #[cfg(feature = "every-dimension")]
         1 => in_space::<1>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
         2 => in_space::<2>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
         3 => in_space::<3>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
+        #[cfg(feature = "every-dimension")]
         4 => in_space::<4>(fields, by_lad_in_r4::gauge)?,
         other => return Err(refused("center", other, 4)),
     };

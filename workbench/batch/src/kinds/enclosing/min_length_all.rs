@@ -38,15 +38,17 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
             return Err(Refusal::bad_input(format!("`objective` is \"{other}\", neither length nor volume{near}")));
         }
     };
-    let result = match fields.dimension_of_first("points")?.unwrap_or(1) {
+    let result = match fields.dimension_of_first("points")?.unwrap_or(2) {
         3 if is_volume => of_less_volume(fields, method)?,
         other if is_volume => {
             let message = format!("points with {other} coordinates, the volume is made less around points with 3");
             return Err(Refusal::bad_input(message));
         }
+        #[cfg(feature = "every-dimension")]
         1 => of_length::<1>(fields, method)?,
         2 => of_length::<2>(fields, method)?,
         3 => of_length::<3>(fields, method)?,
+        #[cfg(feature = "every-dimension")]
         4 => of_length::<4>(fields, method)?,
         other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };

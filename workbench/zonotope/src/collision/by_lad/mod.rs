@@ -50,11 +50,13 @@
 //! assert_eq!(by_lad::gauge(&query, &mut ()).value, 2.0);
 //! ```
 
+mod direction_plane;
 pub(super) mod early;
 mod facet;
 pub(super) mod ladder;
 mod scaled;
 
+pub use direction_plane::{DirectionPlane, direction_plane};
 pub use facet::Facet;
 
 #[cfg(test)]
