@@ -29,8 +29,9 @@ use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::Tally;
 use crate::zonotope::ray_exit::FacetMap;
 
-/// The work that exact numbers may take in all for the sake of a better answer, in products of words: some half a second.
-/// Programs of a hundred normals in numbers of like sizes take less, those of numbers of all sizes would take far more.
+/// The work that exact numbers may take in all for the sake of a better answer, in products of words: some half a
+/// second. Programs of a hundred normals in numbers of like sizes take less, those of numbers of all sizes would take
+/// far more.
 const EXACT_WORK_LIMIT: u64 = 1 << 25;
 
 /// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the

@@ -97,7 +97,7 @@ impl<'a, const D: usize> Body<'a, D> {
     /// The residual point − p − Σ δ_i c_i v_i in the coordinates of the span, exactly.
     pub(super) fn residual(&self, point: &[f64; D], deltas: &[f64]) -> Vec<Dyadic> {
         let coordinates = &self.scaled.coordinates;
-        let products = (self.generators.len() * coordinates.len()) as u64;
+        let products = self.generators.len() as u64 * coordinates.len() as u64;
         self.exact_work.set(self.exact_work.get().saturating_sub(WORK_PER_PRODUCT * products));
         let mut rest: Vec<Dyadic> =
             coordinates.iter().map(|&c| Dyadic::from_f64(point[c]) - Dyadic::from_f64(self.center[c])).collect();

@@ -86,7 +86,8 @@ pub(super) fn optimum_within<const D: usize>(
             }
         })
         .collect();
-    let products = (both.len() * (points.len() + directions.len()) * span.rank()) as u64;
+    let vectors = points.len() as u64 + directions.len() as u64;
+    let products = both.len() as u64 * vectors * span.rank() as u64;
     *work = work.saturating_sub(WORK_PER_CHANGE * products);
     let optimum = match maximize(&columns, &weights, span.rank(), work) {
         Ok(optimum) => optimum,

@@ -46,7 +46,8 @@ struct Limits {
 }
 
 impl Limits {
-    /// The limits for a net around so many points. The paper's net has none, so that its cost is the one that the paper states.
+    /// The limits for a net around so many points. The paper's net has none, so that its cost is the one that the paper
+    /// states.
     fn of(net: Net, points: usize) -> Self {
         match net {
             Net::Paper => Self { largest_whole_net: usize::MAX, work: u64::MAX },

@@ -58,7 +58,8 @@ impl Work {
     }
 
     fn total(&self) -> u64 {
-        self.on_nets.saturating_add((NET_UNITS * self.on_sets) as u64)
+        let on_sets = NET_UNITS * self.on_sets;
+        self.on_nets.saturating_add(on_sets as u64)
     }
 }
 
