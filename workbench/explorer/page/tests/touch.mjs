@@ -15,7 +15,7 @@ export async function test(opened, _library, { ids }) {
     const { x, y } = await opened.place(selector);
     await touch("touchStart", [{ x, y }]);
     for (let step = 1; step <= 6; step += 1) await touch("touchMove", [{ x: x + 5 * step, y: y + 3 * step }]);
-    await page.waitForTimeout(150);
+    await page.waitForTimeout(600);
     const box = await page.locator(`${selector} .mark`).first().boundingBox();
     const after = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     await touch("touchEnd", []);

@@ -30,7 +30,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     status: statusWord,
     proof: proofSentence,
     verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
-    gauge: (_, { gauge }) => gauge.gauge,
+    gauge: (_, { gauge }) => gauge?.gauge ?? "…",
     least: (state, { late }) => leastReach(state, late?.directions ?? null),
     apart: apartSentence,
   },
@@ -38,7 +38,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   actions: {
     second: (state) => ({ ...state, many: 0, others: state.others.length > 0 ? [] : CUBE }),
     touch: (state, { gauge }) => {
-      const factor = Number(gauge.gauge);
+      const factor = Number(gauge?.gauge);
       return Number.isFinite(factor) && factor > 0 ? { ...state, point: tidy3(scale3(state.point, 1 / factor)) } : state;
     },
   },
@@ -63,7 +63,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     return { ...state, generators, many: 0, step: 0 };
   },
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 7), many: 0, step: 0 }),
-  sentence: (state, answers) => `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge.gauge)}.`,
+  sentence: (state, answers) => `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge?.gauge ?? "being computed")}.`,
 };
 
 /** The reach in the direction at the lowest point. */

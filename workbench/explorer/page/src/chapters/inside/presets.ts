@@ -17,5 +17,5 @@ export const presets: readonly Preset<State>[] = [
   { name: "Two polar zonohedra", note: "Nine generators and seven.", make: () => of(polar(9, 0.7), [7.5, 3, 2], polar(7, 0.4)) },
   { name: "A flat body", note: "Two generators make a parallelogram in space; it has no inside, and a point in it is on the boundary.", make: () => of([[1, 0, 0.5], [0, 1, 0.2]], [0.5, 0.5, 0.35]) },
   { name: "A segment and a point", note: "One generator.", make: () => of([[1, 1, 1]], [0.5, 0.5, 0.6]) },
-  { name: "Ten thousand generators", note: "The body has about a hundred million facets. It cannot be drawn, but the question is answered at once.", make: () => ({ ...first(), many: 10_000, point: [40, 20, 30] }) },
+  { name: "Ten thousand generators", note: "The body has about a hundred million facets. It cannot be drawn, but the question is answered at once.", make: () => ({ ...first(), many: 10_000, point: [1900, 1000, 1500] }) },
 ];

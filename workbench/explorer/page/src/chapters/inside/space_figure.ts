@@ -11,6 +11,9 @@ import type { Vec3 } from "../../library/shapes";
 import { coefficients, direction, reachIn } from "./proof";
 import { generatorsOf, walk, type Answers, type State } from "./state";
 
+/** Half of the side of the separating square, as a part of the reach of the picture. */
+const PLANE_PART = 0.5;
+
 /** The opacity of a body, so that the walk inside it is seen. */
 const OPACITY = 0.45;
 
@@ -58,5 +61,5 @@ function drawGap(plane: Solid, state: State, u: Vec3 | null, reach: number): voi
   if (!u) return plane.clear();
   const span = (generators: readonly Vec3[]) => generators.reduce((sum, generator) => sum + Math.abs(dot3(u, generator)), 0);
   const [end, begin] = [span(generatorsOf(state)), dot3(u, state.point) - span(state.others)];
-  drawPlane(plane, scale3(u, (end + begin) / 2), u, 0.75 * reach);
+  drawPlane(plane, scale3(u, (end + begin) / 2), u, PLANE_PART * reach);
 }

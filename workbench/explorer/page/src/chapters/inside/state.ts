@@ -24,6 +24,7 @@ export interface State {
 export interface Late {
   readonly of: State;
   readonly verdict: Verdict;
+  readonly gauge: Gauge;
   readonly search: LocationSearch | null;
   readonly tiling: Tiling | null;
   readonly directions: PlaneOfDirections | null;
@@ -32,7 +33,8 @@ export interface Late {
 
 export interface Answers {
   readonly located: Answer<Located | Meeting>;
-  readonly gauge: Gauge;
+  /** Null while it is being computed: of very many generators it is not asked in every frame. */
+  readonly gauge: Gauge | null;
   readonly body: Faces | null;
   readonly other: Faces | null;
   readonly late: Late | null;
@@ -72,7 +74,7 @@ const MANY = new Map<number, readonly Vec3[]>();
 /** The generators of the body, those that are only counted included. */
 export function generatorsOf(state: State): readonly Vec3[] {
   if (state.many === 0) return state.generators;
-  const known = MANY.get(state.many) ?? randomGenerators(7, state.many).map((one): Vec3 => [one[0] / 50, one[1] / 50, one[2] / 50]);
+  const known = MANY.get(state.many) ?? randomGenerators(7, state.many);
   MANY.set(state.many, known);
   return known;
 }
@@ -102,12 +104,13 @@ function facesOf(generators: readonly Vec3[], asking: Asking): Faces | null {
 
 export function questions(state: State, asking: Asking, late: Late | null): Answers {
   const other = state.others.length > 0 ? facesOf(state.others, asking) : null;
+  const current = late && sameQuestion(late.of, state) ? late : null;
   return {
     located: asking.ask(question(state)),
-    gauge: asking.ask(gauge(state.point, sumOf(state))).result,
+    gauge: state.many === 0 ? asking.ask(gauge(state.point, sumOf(state))).result : current?.gauge ?? null,
     body: facesOf(generatorsOf(state), asking),
     other: other && { ...other, vertices: other.vertices.map((vertex) => add3(vertex, state.point)) },
-    late: late && sameQuestion(late.of, state) ? late : null,
+    late: current,
   };
 }
 
@@ -121,8 +124,9 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
   const drawn = sum.generators.length <= DRAWN;
   const spans = state.point.some((value) => value !== 0);
   const located = await askLater(question(state));
-  const [verdict, search, tiles, directions, distance] = await Promise.all([
+  const [verdict, measured, search, tiles, directions, distance] = await Promise.all([
     verifyLater(located),
+    askLater(gauge(state.point, sum)),
     drawn ? askLater(locationSearch(state.point, sum)).catch(() => null) : null,
     drawn ? askLater(tiling(sum.generators)).catch(() => null) : null,
     drawn && spans ? askLater(planeOfDirections(state.point, sum)).catch(() => null) : null,
@@ -131,6 +135,7 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
   return {
     of: state,
     verdict,
+    gauge: measured.result,
     search: search?.result ?? null,
     tiling: tiles?.result ?? null,
     directions: directions?.result ?? null,

@@ -7,17 +7,22 @@ import { boxAround, PlaneView } from "../../kit/plane_view";
 import { turned } from "../../kit/placement";
 import { cross3, digits, dot3, length2, length3, scale3, sub3 } from "../../kit/vectors";
 import type { Vec2, Vec3 } from "../../library/shapes";
-import { forwards, type Answers, type State } from "./state";
+import { forwards, type Answers, type Scene, type State } from "./state";
 
 /** Pieces in which an arc is drawn. */
 const PIECES = 24;
 
 export function arcsFigure(control: Control<State>): Figure<State, Answers> {
   const view = new PlaneView("The arcs of the vertices, moved to a common origin", ["square", "circle", "arcs", "names"], {}, () => control.redraw());
+  let shown: { scene: Scene; size: string } | null = null;
   return {
     element: view.element,
     svg: () => standalone(view.svg),
     draw({ scene }, { a }) {
+      // While the motion plays only the time changes, which this figure does not show.
+      const size = `${view.width} ${view.height}`;
+      if (shown?.scene === scene && shown.size === size) return;
+      shown = { scene, size };
       const { axis, angle, axis_point } = forwards(scene.moves.a);
       const [across, up] = frameOf(axis);
       const flat = (place: Vec3): Vec2 => [dot3(place, across), dot3(place, up)];

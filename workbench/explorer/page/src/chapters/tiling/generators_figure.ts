@@ -21,7 +21,7 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
     const next: Vec3 = [Number(Math.cos(2.4 * count).toFixed(2)), Number(Math.sin(2.4 * count).toFixed(2)), 0.7];
     control.commit({ ...state, generators: [...state.generators, next] });
   });
-  const head = html("tr", {}, ...["Generator", ...AXES, ""].map((name) => html("th", { scope: "col" }, name)));
+  const head = html("tr", {}, ...["vᵢ", ...AXES, ""].map((name) => (name ? html("th", { scope: "col" }, name) : html("td"))));
   const table = html("table", { class: "generators" }, html("thead", {}, head), body);
   let rows: HTMLInputElement[][] = [];
 
