@@ -18,10 +18,15 @@ if (!browserPath()) {
 
 const library = await Library.open(modulePath);
 const browser = await launch();
-const chapters = readdirSync(resolve(here, "../src/chapters"), { withFileTypes: true }).filter((entry) => entry.isDirectory());
+const chapters = readdirSync(resolve(here, "../src/chapters"), { withFileTypes: true }).filter((entry) =>
+  entry.isDirectory(),
+);
 const tests = await Promise.all([
   ...chapters.map(async ({ name }) => ({ name, ...(await import(`../src/chapters/${name}/test.mjs`)) })),
-  ...["common", "access", "touch", "widths", "speed"].map(async (name) => ({ name, ...(await import(`./${name}.mjs`)) })),
+  ...["common", "access", "touch", "widths", "speed"].map(async (name) => ({
+    name,
+    ...(await import(`./${name}.mjs`)),
+  })),
 ]);
 const ids = tests.flatMap((test) => (test.id ? [test.id] : []));
 let failed = 0;

@@ -20,7 +20,10 @@ export async function test(opened, _library, { ids }) {
     const after = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     await touch("touchEnd", []);
     await opened.rest();
-    holds(Math.hypot(after.x - x - 30, after.y - y - 18) < 3, `${id}: the finger left the handle at ${after.x}, ${after.y}, from ${x}, ${y}`);
+    holds(
+      Math.hypot(after.x - x - 30, after.y - y - 18) < 3,
+      `${id}: the finger left the handle at ${after.x}, ${after.y}, from ${x}, ${y}`,
+    );
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     holds(width <= 390, `${id}: the page is ${width} pixels wide on a phone`);
   }

@@ -4,7 +4,16 @@ import type { Answer, Question, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { fields, finite, list, vec3, within } from "../../kit/reading";
 import { add3 } from "../../kit/vectors";
-import { faces, locationSearch, planeOfDirections, tiling, type Faces, type LocationSearch, type PlaneOfDirections, type Tiling } from "../../library/pictures";
+import {
+  faces,
+  locationSearch,
+  planeOfDirections,
+  tiling,
+  type Faces,
+  type LocationSearch,
+  type PlaneOfDirections,
+  type Tiling,
+} from "../../library/pictures";
 import { apart, gauge, locate, meet, type Apart, type Gauge, type Located, type Meeting } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
 import { randomGenerators } from "../../data/bodies";
@@ -48,7 +57,13 @@ export const MOST_GENERATORS = 1000;
 const ORIGIN: Vec3 = [0, 0, 0];
 
 export const first = (): State => ({
-  generators: [[1, 0.1, 0.8], [0.35, 1, 0.7], [-0.8, 0.65, 0.75], [-0.85, -0.6, 0.65], [0.3, -0.95, 0.85]],
+  generators: [
+    [1, 0.1, 0.8],
+    [0.35, 1, 0.7],
+    [-0.8, 0.65, 0.75],
+    [-0.85, -0.6, 0.65],
+    [0.3, -0.95, 0.85],
+  ],
   many: 0,
   point: [0.9, 0.4, 3.6],
   others: [],
@@ -107,7 +122,7 @@ export function questions(state: State, asking: Asking, late: Late | null): Answ
   const current = late && sameQuestion(late.of, state) ? late : null;
   return {
     located: asking.ask(question(state)),
-    gauge: state.many === 0 ? asking.ask(gauge(state.point, sumOf(state))).result : current?.gauge ?? null,
+    gauge: state.many === 0 ? asking.ask(gauge(state.point, sumOf(state))).result : (current?.gauge ?? null),
     body: facesOf(generatorsOf(state), asking),
     other: other && { ...other, vertices: other.vertices.map((vertex) => add3(vertex, state.point)) },
     late: current,
@@ -115,7 +130,12 @@ export function questions(state: State, asking: Asking, late: Late | null): Answ
 }
 
 function sameQuestion(one: State, other: State): boolean {
-  return one.generators === other.generators && one.many === other.many && one.others === other.others && one.point === other.point;
+  return (
+    one.generators === other.generators &&
+    one.many === other.many &&
+    one.others === other.others &&
+    one.point === other.point
+  );
 }
 
 export async function later(state: State, asking: AskingLater): Promise<Late> {
@@ -153,4 +173,3 @@ export function walk(state: State, coefficients: readonly number[]): Vec3[] {
   });
   return places;
 }
-

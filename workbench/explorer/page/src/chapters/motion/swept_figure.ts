@@ -29,12 +29,22 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
     view.put(`copy ${index}`, copy);
     return copy;
   });
-  const choice = html("select", { "aria-label": "Method" }, ...METHODS.map((method) => html("option", { value: method }, NAMES[method] ?? method)));
+  const choice = html(
+    "select",
+    { "aria-label": "Method" },
+    ...METHODS.map((method) => html("option", { value: method }, NAMES[method] ?? method)),
+  );
   choice.addEventListener("change", () => control.commit({ ...control.state, method: choice.value }));
   const body = html("tbody");
   const head = html("tr", {}, ...["Method", "Generators", "Volume"].map((name) => html("th", { scope: "col" }, name)));
   return {
-    element: html("div", {}, view.element, html("p", {}, choice), html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), body))),
+    element: html(
+      "div",
+      {},
+      view.element,
+      html("p", {}, choice),
+      html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), body)),
+    ),
     svg: () => view.svg(),
     draw(state, { a, around, late }) {
       // While the motion plays only the time changes, which this figure does not show.
@@ -48,7 +58,13 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
       view.draw([]);
       body.replaceChildren(
         ...(late?.volumes ?? []).map(({ method, volume, generators }) =>
-          html("tr", method === state.method ? { "aria-current": "true" } : {}, html("th", { scope: "row" }, NAMES[method] ?? method), html("td", {}, String(generators)), html("td", {}, digits(volume))),
+          html(
+            "tr",
+            method === state.method ? { "aria-current": "true" } : {},
+            html("th", { scope: "row" }, NAMES[method] ?? method),
+            html("td", {}, String(generators)),
+            html("td", {}, digits(volume)),
+          ),
         ),
       );
     },
