@@ -107,11 +107,13 @@ pub struct Experiment {
     pub question: &'static str,
     /// Ids of the claims of the paper for which the experiment is evidence.
     pub claims: &'static [&'static str],
-    /// Families (of points, of clouds, of lines or of bodies) that give instances of every size.
+    /// Families (of points, of clouds, of lines, of bodies or of motions) that give instances of every size.
     pub families: &'static [&'static str],
     /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each,
     /// of their own size.
     pub real_inputs: &'static [&'static str],
+    /// The reason why points of a reader's file are no input of the experiment; none if they are one.
+    pub refuses: fn(&Cloud) -> Option<&'static str>,
     /// Sizes of the instances.
     pub sizes: PerProfile<&'static [usize]>,
     /// Instances of every family and size, with different seeds.
@@ -137,6 +139,7 @@ impl Experiment {
         claims: &[],
         families: &[],
         real_inputs: &[],
+        refuses: |_| None,
         sizes: PerProfile::both(&[]),
         instances: PerProfile::both(1),
         variants: &[],
@@ -222,6 +225,11 @@ impl Case {
     /// The generators of the instance, when the family is one of bodies in space.
     pub fn body(&self) -> Result<Vec<[f64; 3]>, String> {
         Ok(self.body_family()?.generate(self.n, self.instance_seed))
+    }
+
+    /// The family, when it is one of moving bodies.
+    pub fn motion_family(&self) -> Result<&'static families::motions::MotionFamily, String> {
+        families::motions::find(self.family).ok_or_else(|| format!("no motions are called {}", self.family))
     }
 
     /// The instance, when the family is one of lines.

@@ -2,13 +2,14 @@
 
 use crate::figure::Figure;
 use crate::gallery::{
-    arrangement_and_level_sets, certificates_of_intersection, coherence, country_outlines, cutting_and_image,
-    directions_needed, dual_zonotope, duality_family, facet_walk, few_generators, gap_curve, length_ratio,
-    mesh_in_zonohedra, named_zonohedra, nested_hierarchy, paper_figure_1, paper_figure_2, polygon_and_reflection,
-    query_trade_off, reduction_error, reductions, scaling_collision_operations, scaling_collision_times,
-    scaling_face_counts, scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations,
-    scaling_min_area_times, scaling_program_rows, scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2,
-    separators, tracked_features, walk_steps, zonogons_along_directions,
+    arrangement_and_level_sets, certificates_of_intersection, coherence, control_zonotopes, country_outlines,
+    cutting_and_image, directions_needed, dual_zonotope, duality_family, facet_walk, few_generators, gap_curve,
+    length_ratio, mesh_in_zonohedra, motion_time_bar, named_zonohedra, nested_hierarchy, paper_figure_1,
+    paper_figure_2, paper_figure_3, polygon_and_reflection, query_trade_off, reduction_error, reductions,
+    scaling_collision_operations, scaling_collision_times, scaling_face_counts, scaling_kernel_operations,
+    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times, scaling_program_rows,
+    scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2, separators, swept_volumes, tracked_features,
+    walk_steps, zonogons_along_directions,
 };
 
 /// Every figure, in the order of reports.
@@ -49,6 +50,10 @@ pub static FIGURES: &[Figure] = &[
     tracked_features::FIGURE,
     walk_steps::FIGURE,
     coherence::FIGURE,
+    paper_figure_3::FIGURE,
+    swept_volumes::FIGURE,
+    control_zonotopes::FIGURE,
+    motion_time_bar::FIGURE,
 ];
 
 /// The figure called `id`, if there is one.

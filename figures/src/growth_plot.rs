@@ -220,14 +220,19 @@ impl GrowthPlot {
         format!("exponent {value} ({low} to {high})")
     }
 
-    /// The letter that the horizontal axis gives to the size.
     fn letter(&self) -> &'static str {
-        self.x_name.split(' ').find(|word| word.len() == 1).unwrap_or("n")
+        size_letter(self.x_name)
     }
 
     fn model_name(&self, model: GrowthModel) -> String {
         model_name(model).replace('n', self.letter())
     }
+}
+
+/// The letter that the name of an axis gives to the size: the last one, since an article comes before its noun.
+fn size_letter(axis_name: &str) -> &str {
+    let is_letter = |word: &&str| word.len() == 1 && word.chars().all(char::is_alphabetic);
+    axis_name.split(' ').rfind(is_letter).unwrap_or("n")
 }
 
 /// The largest size at which both have samples, and the ratio of their medians there.
@@ -326,6 +331,13 @@ mod tests {
         assert_eq!(three_digits(0.0271), "0.0271");
         assert_eq!(three_digits(271.8), "272");
         assert_eq!(three_digits(4.2e-9), "4.20 × 10⁻⁹");
+    }
+
+    #[test]
+    fn the_letter_of_the_size_is_no_article_and_no_sign() {
+        for (axis, letter) in [("frames a turn n", "n"), ("directions k", "k"), ("n = 1 / ε", "n"), ("rounds", "n")] {
+            assert_eq!(size_letter(axis), letter, "{axis}");
+        }
     }
 
     #[test]

@@ -62,8 +62,9 @@ pub const SERIES: [Color; 6] = [INPUT, REFLECTED, ENCLOSING, OPTIMUM, SKY, OLIVE
 
 /// The colours of methods: a method has the same one in every plot. Where methods are compared, blue is the one that is
 /// used by default, orange the paper's own, green the next exact one; other colours are for the rest.
-const METHODS: [(&str, Color); 36] = [
+const METHODS: [(&str, Color); 40] = [
     ("by_pruning", INPUT),
+    ("by_control_points", INPUT),
     ("by_lad", INPUT),
     ("by_row_generation", INPUT),
     ("by_column_generation", INPUT),
@@ -73,6 +74,7 @@ const METHODS: [(&str, Color); 36] = [
     ("by_scan", INPUT),
     ("by_discarding", INPUT),
     ("by_slope_selection", REFLECTED),
+    ("by_space_time_volumes", REFLECTED),
     ("papers_program", REFLECTED),
     ("papers_net", REFLECTED),
     ("lemma_5_5", REFLECTED),
@@ -82,6 +84,7 @@ const METHODS: [(&str, Color); 36] = [
     ("by_cutting", REFLECTED),
     ("extreme_point_scan", REFLECTED),
     ("by_line_search", ENCLOSING),
+    ("by_chord", ENCLOSING),
     ("by_explicit_faces", ENCLOSING),
     ("support_form", ENCLOSING),
     ("net_of_cells", ENCLOSING),
@@ -91,6 +94,7 @@ const METHODS: [(&str, Color); 36] = [
     ("by_lad_location", ENCLOSING),
     ("by_direction_tree", ENCLOSING),
     ("by_gjk", OPTIMUM),
+    ("by_conservative_advancement", OPTIMUM),
     ("combastel", OPTIMUM),
     ("warm", OPTIMUM),
     ("brute_force", OPTIMUM),

@@ -8,10 +8,12 @@
 //! | `lengths` | sections 4.2 and 4.3, and the questions of section 7 |
 //! | `collision` | section 5.1, and the explicit faces |
 //! | `repeated` | section 5.2 |
+//! | `motion` | section 6 |
 
 mod collision;
 mod finding;
 mod lengths;
+mod motion;
 mod plane;
 mod repeated;
 pub mod words;
@@ -20,7 +22,8 @@ pub use self::finding::{Findings, Sentence};
 use crate::measured::Measured;
 
 /// All sentences.
-static FINDINGS: &[&[Findings]] = &[plane::FINDINGS, lengths::FINDINGS, collision::FINDINGS, repeated::FINDINGS];
+static FINDINGS: &[&[Findings]] =
+    &[plane::FINDINGS, lengths::FINDINGS, collision::FINDINGS, repeated::FINDINGS, motion::FINDINGS];
 
 /// The sentences about operation counts and values of an experiment.
 pub fn counted(experiment: &str, found: &Measured<'_>) -> Vec<String> {

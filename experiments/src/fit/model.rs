@@ -17,6 +17,8 @@ pub enum GrowthModel {
     LinearLogSquared,
     /// n^2.
     Quadratic,
+    /// n^(1/4).
+    FourthRoot,
     /// n^(1/2).
     SquareRoot,
     /// n^(3/2).
@@ -59,6 +61,7 @@ impl GrowthModel {
             Self::Linearithmic => n * log,
             Self::LinearLogSquared => n * log * log,
             Self::Quadratic => n * n,
+            Self::FourthRoot => n.sqrt().sqrt(),
             Self::SquareRoot => n.sqrt(),
             Self::ThreeHalves => n * n.sqrt(),
             Self::Cubic => n * n * n,
@@ -83,6 +86,7 @@ impl fmt::Display for GrowthModel {
             Self::Linearithmic => "n log n",
             Self::LinearLogSquared => "n log^2 n",
             Self::Quadratic => "n^2",
+            Self::FourthRoot => "n^(1/4)",
             Self::SquareRoot => "n^(1/2)",
             Self::ThreeHalves => "n^(3/2)",
             Self::Cubic => "n^3",

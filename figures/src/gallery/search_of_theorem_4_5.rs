@@ -41,6 +41,8 @@ const COLUMNS: usize = 3;
 const CELL: [f64; 2] = [280.0, 262.0];
 /// A view is magnified until the strip of the candidates takes at least this part of its width.
 const LEAST_STRIP: f64 = 0.5;
+/// No view is magnified more: where the lines nearly go through one point, the strip has no width that can be shown.
+const MOST_MAGNIFIED: f64 = 1e6;
 const LINE: Stroke = Stroke::new(REFLECTED, 0.9).faded(0.55);
 const VERTICAL: Stroke = Stroke::new(INK, weight::STRONG);
 const CANDIDATE: Marker = Marker::new(Shape::Disc, 3.0, INK);
@@ -184,7 +186,7 @@ fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
     let left = strip.left.as_ref().map_or(all.min[0], |(x, _)| *x);
     let right = strip.right.as_ref().map_or(all.max[0], |(x, _)| *x);
     let size = [0, 1].map(|axis| all.max[axis] - all.min[axis]);
-    let magnification = libm::ceil(LEAST_STRIP * size[0] / (right - left)).max(1.0);
+    let magnification = magnification(right - left, size[0]);
     if magnification == 1.0 {
         return (all, magnification);
     }
@@ -195,6 +197,20 @@ fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
         max: [0, 1].map(|axis| middle[axis] + half[axis]),
     };
     (view, magnification)
+}
+
+/// The magnification that shows a strip of a view of this width, from 1 to the most.
+fn magnification(strip: f64, width: f64) -> f64 {
+    libm::ceil(LEAST_STRIP * width / strip).clamp(1.0, MOST_MAGNIFIED)
+}
+
+/// The words for a magnification; at the most the strip may be too narrow to be seen, and they say why.
+fn magnified(magnification: f64) -> String {
+    if magnification < MOST_MAGNIFIED {
+        format!("{magnification} ×")
+    } else {
+        format!("{magnification} ×: here the lines nearly meet in one point")
+    }
 }
 
 fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
@@ -255,7 +271,21 @@ fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
     };
     if magnification > 1.0 {
         let style = TextStyle::new(text_size::NOTE, GREY).haloed();
-        panel.scene().text(window.max.moved(-6.0, -7.0), Anchor::End, &style, &format!("{magnification} ×"));
+        panel.scene().text(window.max.moved(-6.0, -7.0), Anchor::End, &style, &magnified(magnification));
     }
     write_head(scene, &cell, &heading, outcome);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strip_without_width_is_magnified_no_more_than_can_be_shown() {
+        assert_eq!(magnification(2.0, 2.0), 1.0);
+        assert_eq!(magnified(magnification(0.125, 2.0)), "8 ×");
+        for strip in [0.0, 1e-300, 1e-15] {
+            assert_eq!(magnified(magnification(strip, 2.0)), "1000000 ×: here the lines nearly meet in one point");
+        }
+    }
 }

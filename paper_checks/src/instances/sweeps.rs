@@ -1,12 +1,15 @@
 //! Bodies that turn about an axis and translate, random ones and those that random draws miss.
 
+use dashu_ratio::RBig;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
-use zonotope::motion::space_time::Sweep;
+use zonotope::motion::space_time::{Sweep, by_farthest_vertex};
+use zonotope::tally::OperationCounts;
 
 use crate::definitions::ratio::{exactly, integer};
 use crate::definitions::space::{Body, Vector};
 use crate::definitions::turning::Turning;
+use crate::growth;
 use crate::instances::bodies::{BodyInstance, bodies, doubles, random_vector};
 
 /// A body with more generators than this has too many facets for exact checks of many placements.
@@ -62,4 +65,37 @@ pub(crate) fn sign_points(body: &Body) -> Vec<Vector> {
     body.generators.iter().fold(vec![body.center.clone()], |points, generator| {
         points.iter().flat_map(|point| [-1, 1].map(|sign| point.plus(&integer(sign), generator))).collect()
     })
+}
+
+/// A half-side of the library's square may exceed the exact radius by this part of it.
+pub(crate) const RADIUS_EXCESS: f64 = 1e-12;
+
+/// The sides of the square that the library adds to a body: the added generators that are as long as the radius, but for
+/// rounding upwards. There are two, where the square of the radius is right and not zero.
+pub(crate) fn square_sides(
+    volume: &zonotope::zonotope::Zonotope<3>,
+    body: &zonotope::zonotope::Zonotope<3>,
+    squared_radius: &RBig,
+) -> Vec<Vector> {
+    let most = squared_radius * (integer(1) + exactly(RADIUS_EXCESS));
+    let added = volume.generators()[body.generators().len()..].iter().map(|side| Vector::exactly(*side));
+    added.filter(|side| (squared_radius..=&most).contains(&&side.dot(side))).collect()
+}
+
+/// Operations of Theorem 6.1's volume for random bodies that turn about an axis, with the numbers of generators.
+pub(crate) fn volume_operations(random: &mut Pcg64Mcg) -> Result<Vec<(f64, f64)>, String> {
+    let mut samples = Vec::new();
+    for exponent in 5..=12 {
+        for _ in 0..2 {
+            let n = 1 << exponent;
+            let generators = (0..n).map(|_| std::array::from_fn(|_| random.random_range(-1.0..=1.0))).collect();
+            let body = zonotope::zonotope::Zonotope::new([1.0, 2.0, 3.0], generators);
+            let sweep = Sweep::new([0.0; 3], [1.0, 2.0, 2.0], 1.0, [4.0, 0.0, 0.0]);
+            let (body, sweep) = (body.map_err(|e| e.to_string())?, sweep.map_err(|e| e.to_string())?);
+            let mut counts = OperationCounts::default();
+            by_farthest_vertex::volume(&sweep, &body, &mut counts).map_err(|e| e.to_string())?;
+            samples.push(growth::sample(n, &counts));
+        }
+    }
+    Ok(samples)
 }

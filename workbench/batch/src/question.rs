@@ -5,6 +5,7 @@ use serde::de::IgnoredAny;
 
 use super::fields::Fields;
 use super::kinds::{KINDS, Solution};
+use super::names::plain;
 use super::nearest::did_you_mean;
 use super::place::{Place, Step};
 use super::refusal::{Code, Refusal};
@@ -90,7 +91,8 @@ impl Question {
                 Refusal::new(Code::UnknownMethod, message)
             })?),
         };
-        (kind.solve)(&Fields::of_input(&self.input, kind.fields, kind.optional)?, method, seed)
+        let input = plain(&self.input, kind)?;
+        (kind.solve)(&Fields::of_input(&input, kind.fields, kind.optional)?, method, seed)
     }
 }
 

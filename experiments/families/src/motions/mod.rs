@@ -1,8 +1,8 @@
 //! Families of moving bodies: inputs of everything that is asked about motion.
 //!
 //! In each of the nine scenes two bodies move past each other, and the second one is moved aside, so that they come as
-//! near each other as is asked for; in the last family everything is drawn at random, and about half of the pairs
-//! collide.
+//! near each other as is asked for; in `fast_boxes` everything is drawn at random, and about half of the pairs
+//! collide, and `crafted_motions` are drawn from short lists.
 //!
 //! | family | motion |
 //! | --- | --- |
@@ -16,10 +16,12 @@
 //! | `ring` | a long link goes round a body, its side to it |
 //! | `spinning_prism` | a prism of ten generators spins beside a plate, always as near |
 //! | `fast_boxes` | random boxes, turning several times while they fly past each other |
+//! | `crafted_motions` | what random draws miss: grazing, whole turns, thin bodies, axes through a body and far away |
 
 mod arms;
 mod around;
 mod catalog;
+mod crafted;
 mod family;
 mod fast;
 mod shapes;

@@ -6,6 +6,7 @@ mod hard_questions;
 mod json;
 mod many_points;
 mod moving;
+mod names;
 mod near_the_largest_double;
 mod places;
 mod poses;

@@ -27,7 +27,6 @@ mod answer;
 pub mod bisectors;
 mod boundary_vertex;
 pub mod centered_zonogon;
-mod cube_grids;
 pub mod fixed_directions;
 mod front;
 mod half_turn;

@@ -79,8 +79,8 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found
     let most = POINT_LIMITS[D - 1];
     if points.len() > most {
         let message = format!(
-            "{}, at most {most} are taken in {D} dimensions; along given directions (min_length_dirs, enclose \
-             --directions) more are",
+            "{}, at most {most} are taken in {D} dimensions; along given directions, such as `enclose --directions \
+             net:4` or the kind `min_length_dirs` has, more are, and a sample of them is enclosed sooner",
             outer.described()
         );
         return Err(Refusal::new(Code::TooLarge, message));

@@ -5,6 +5,7 @@ mod faces;
 mod intersection;
 mod kernel;
 mod min_area_zonogon;
+mod motion;
 mod reduction;
 mod repeated_tests;
 mod total_length;
@@ -21,6 +22,7 @@ pub static CHAPTERS: &[&Chapter] = &[
     &total_length::CHAPTER,
     &intersection::CHAPTER,
     &repeated_tests::CHAPTER,
+    &motion::CHAPTER,
 ];
 
 #[cfg(test)]

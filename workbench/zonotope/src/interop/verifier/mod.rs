@@ -15,6 +15,7 @@
 //! | [`check_min_area`], [`check_exact_min_area`] | [`enclosing::min_area_zonogon`](crate::enclosing::min_area_zonogon) |
 //! | [`check_min_length_dirs`] and two that check less | [`enclosing::fixed_directions`](crate::enclosing::fixed_directions) |
 //! | [`check_min_length_all`] and one that checks less | [`enclosing::min_total_length`](crate::enclosing::min_total_length) |
+//! | [`check_first_contact`] | [`motion::continuous`](crate::motion::continuous): the first contact of moving bodies |
 //!
 //! # Example
 //!
@@ -34,6 +35,7 @@ mod hull;
 mod lad;
 mod min_area;
 mod min_length;
+mod motion;
 mod tiling;
 
 pub use collision::{check_distance, check_location, displaced, distance_answer, location_answer};
@@ -42,6 +44,7 @@ pub use hull::check_convex_hull;
 pub use lad::{check_lad, check_lad_of_forms, lad_answer, lad_of_forms_answer};
 pub use min_area::{check_exact_min_area, check_min_area};
 pub use min_length::{check_min_length_all, check_min_length_all_at_any_ratio};
+pub use motion::{check_first_contact, first_contact_answer};
 pub use tiling::{check_tiling, tiling_answer};
 
 use ::verifier::Fraction;

@@ -110,7 +110,7 @@ fn volume(body: &Body<'_>, arc: &Arc<f64>, margin: f64) -> Option<Zonotope<3>> {
     let placed = Zonotope::new([0, 1, 2].map(|k| base[k] + moved[k]), generators).ok()?;
     let axis = if axis == [0.0; 3] { [1.0, 0.0, 0.0] } else { axis };
     let sweep = Sweep::new(base, axis, angle * RATE_ROUNDING, travel).ok()?;
-    let swept = by_farthest_vertex::volume(&sweep, &placed).ok()?;
+    let swept = by_farthest_vertex::volume(&sweep, &placed, &mut ()).ok()?;
     let size = body.magnitude() + [arm, base, travel].as_flattened().iter().map(|c| c.abs()).sum::<f64>();
     let pad = (RATE_ROUNDING - 1.0) * size + margin;
     let padding = [0, 1, 2].map(|axis| [0, 1, 2].map(|k| if k == axis { pad } else { 0.0 }));

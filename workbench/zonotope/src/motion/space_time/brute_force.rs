@@ -38,7 +38,7 @@
 //! use zonotope::motion::space_time::brute_force::holds_placement;
 //! let point = Zonotope::new([1.0, 0.0, 0.0], vec![])?;
 //! let sweep = Sweep::new([0.0; 3], [0.0, 0.0, 1.0], 0.5, [0.0; 3])?;
-//! let volume = volume(&sweep, &point)?;
+//! let volume = volume(&sweep, &point, &mut ())?;
 //! assert!(holds_placement(&volume, &sweep, &point, 0.25, 0.0)); // 2 atan(0.25) = 0.49
 //! assert!(!holds_placement(&volume, &sweep, &point, -1.0, 0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -40,7 +40,7 @@
 //!
 //! // the cube of side 2 moved by 10 sweeps a box of 12 × 2 × 2
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?;
-//! let moved = volume(&Sweep::new([0.0; 3], [0.0, 0.0, 1.0], 0.0, [10.0, 0.0, 0.0])?, &cube)?;
+//! let moved = volume(&Sweep::new([0.0; 3], [0.0, 0.0, 1.0], 0.0, [10.0, 0.0, 0.0])?, &cube, &mut ())?;
 //! assert_eq!((moved.center(), moved.generators()[3]), ([5.0, 0.0, 0.0], [5.0, 0.0, 0.0]));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -51,18 +51,19 @@ use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;
 use super::parts::volume::Volume;
 use crate::motion::sweep::{Sweep, SweepError};
+use crate::tally::Tally;
 use crate::zonotope::Zonotope;
 
-/// The volume of Theorem 6.1.
+/// The volume of Theorem 6.1; counting operations.
 ///
 /// # Errors
 /// [`SweepError::OutOfRange`] if it leaves the range of doubles.
-pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
+pub fn volume(sweep: &Sweep, body: &Zonotope<3>, tally: &mut dyn Tally) -> Result<Zonotope<3>, SweepError> {
     if sweep.angle == 0.0 {
         return Volume::of_translation(body, sweep);
     }
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
-    let farthest = Shadow::of(&plane, &scaled).farthest_above();
+    let farthest = Shadow::of(&plane, &scaled, tally).farthest_above(tally);
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
     volume.add_square(&plane, product_above(chord_above(covering(sweep.angle)), farthest));
     volume.finished()

@@ -59,7 +59,7 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
         return Volume::of_translation(body, sweep);
     }
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
-    let arcs = ArcPoints::of(&Shadow::of(&plane, &scaled), sweep.angle);
+    let arcs = ArcPoints::of(&Shadow::of(&plane, &scaled, &mut ()), sweep.angle);
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
     let around = min_area(&arcs.points).map_err(|_| SweepError::OutOfRange)?.body;
     let in_space = |v: [f64; 2]| plane.vector(&[0.0, v[0], v[1]].map(Bounded::exact));

@@ -57,7 +57,7 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     }
     let half = covering(sweep.angle) / 2.0;
     let (plane, scaled) = (Plane::orthogonal_to(sweep.axis), ScaledBody::of(body, sweep.axis_point));
-    let farthest = Shadow::of(&plane, &scaled).farthest_above();
+    let farthest = Shadow::of(&plane, &scaled, &mut ()).farthest_above(&mut ());
     let mut volume = Volume::of_turned_body(&scaled, &plane, &cosine_and_sine(half), sweep);
     volume.add_square(&plane, product_above(chord_above(half), farthest));
     volume.finished()

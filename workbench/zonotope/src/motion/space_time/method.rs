@@ -35,7 +35,7 @@ impl Method {
     /// [`SweepError::OutOfRange`] if it leaves the range of doubles.
     pub fn volume(self, sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
         match self {
-            Self::ByFarthestVertex => by_farthest_vertex::volume(sweep, body),
+            Self::ByFarthestVertex => by_farthest_vertex::volume(sweep, body, &mut ()),
             Self::ByMiddlePlacement => by_middle_placement::volume(sweep, body),
             Self::ByLeastRectangle => by_least_rectangle::volume(sweep, body),
             Self::ByLeastZonogon => by_least_zonogon::volume(sweep, body),

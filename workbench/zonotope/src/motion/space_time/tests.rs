@@ -293,7 +293,7 @@ proptest! {
         prop_assume!(axis != [0.0; 3]);
         let sweep = sweep(point, axis, 1.0, [0.0; 3]);
         let scaled = ScaledBody::of(&body, point);
-        let bound = Shadow::of(&Plane::orthogonal_to(axis), &scaled).farthest_above();
+        let bound = Shadow::of(&Plane::orthogonal_to(axis), &scaled, &mut ()).farthest_above(&mut ());
         let bound = Dyadic::from_f64(bound).scaled(scaled.exponent).to_rational();
         let exact = farthest_squared(&sweep, &body);
         prop_assert!(exact <= &bound * &bound);

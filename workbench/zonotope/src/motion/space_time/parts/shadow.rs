@@ -8,6 +8,7 @@ use super::scaled_body::ScaledBody;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::scaling::power_of_two;
+use crate::tally::{Operation, Tally};
 use crate::zonotope::zonogon::{rightward, turn};
 
 /// The zonogon of a centre and generators sorted by angle.
@@ -20,8 +21,8 @@ pub(in super::super) struct Shadow {
 }
 
 impl Shadow {
-    /// The shadow of a body, seen from the axis.
-    pub(in super::super) fn of(plane: &Plane, body: &ScaledBody<'_>) -> Self {
+    /// The shadow of a body, seen from the axis. Generators that are read and comparisons that sort them are counted.
+    pub(in super::super) fn of(plane: &Plane, body: &ScaledBody<'_>, tally: &mut dyn Tally) -> Self {
         let mut off = 0.0;
         let mut rounded = |v: [Bounded; 3]| {
             let [_, x, y] = plane.coordinates(&v);
@@ -31,7 +32,13 @@ impl Shadow {
         let center = rounded(body.arm);
         let mut generators: Vec<[f64; 2]> =
             body.generators().map(rounded).filter(|g| *g != [0.0; 2]).map(rightward).collect();
-        generators.sort_unstable_by(|&a, &b| turn(b, a));
+        let mut comparisons = 0;
+        generators.sort_unstable_by(|&a, &b| {
+            comparisons += 1;
+            turn(b, a)
+        });
+        tally.add(Operation::Comparison, comparisons);
+        tally.add(Operation::GeneratorRead, body.generators().len() as u64);
         let terms = body.generators().len() as f64;
         Self { center, generators, off: off * (1.0 + (terms + 4.0) * f64::EPSILON) }
     }
@@ -69,9 +76,11 @@ impl Shadow {
         (self.off + (4.0 * f64::EPSILON + 4.0 * carried * carried) * size) * (1.0 + 2.0 * carried)
     }
 
-    /// A number not below the largest distance of a point of the true shadow from the axis.
-    pub(in super::super) fn farthest_above(&self) -> f64 {
+    /// A number not below the largest distance of a point of the true shadow from the axis. A step of the walk around
+    /// the shadow reads a generator.
+    pub(in super::super) fn farthest_above(&self, tally: &mut dyn Tally) -> f64 {
         let mut square: f64 = 0.0;
+        tally.add(Operation::GeneratorRead, self.generators.len() as u64);
         self.each_vertex(|[x, y]| square = square.max(x * x + y * y));
         let is_point = self.generators.is_empty() && self.center == [0.0; 2];
         let underflow = if is_point || square > power_of_two(-900) { 0.0 } else { power_of_two(-450) };
