@@ -68,9 +68,10 @@ export function areaSearch(points: readonly Vec2[]): Question<AreaSearch> {
 }
 
 export interface Pruning {
-  /** The cells in the order in which they are drawn: the lines before it, those that cross it, its corners. */
+  /** The cells in the order in which they are drawn, those for samples included: the lines before it, those that
+   * cross it, its corners. */
   readonly cells: readonly {
-    readonly lines: number;
+    readonly lines: readonly number[];
     readonly crossing: readonly number[];
     readonly corners: readonly Vec2[];
   }[];

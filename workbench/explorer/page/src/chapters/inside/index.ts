@@ -89,7 +89,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
       {
         name: "JSON",
-        text: JSON.stringify(state.others.length > 0 ? { a: bodyOf(state), b: otherOf(state) } : bodyOf(state)),
+        text: state.others.length > 0 ? line : JSON.stringify(bodyOf(state)),
       },
     ];
   },

@@ -135,7 +135,7 @@ export const shortChapter: Chapter<State, Answers, Late> = {
     const line = lineOf(leastLength(state.points, EPSILON));
     return [
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
-      { name: "JSON", text: line },
+      { name: "JSON", text: JSON.stringify({ points: state.points }) },
     ];
   },
   accept(data: OwnData, state) {

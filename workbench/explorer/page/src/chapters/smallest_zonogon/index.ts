@@ -10,7 +10,7 @@ import { lineFigure } from "./line_figure";
 import { presets, randomPoints } from "./presets";
 import { balance } from "./proof";
 import { proofFigure } from "./proof_figure";
-import { pruningFigure, searchFigure } from "./search_figure";
+import { cellsOfAll, pruningFigure, searchFigure } from "./search_figure";
 import { first, later, questions, read, type Answers, type Late, type State } from "./state";
 import text from "./text.html";
 import { zonogonFigure } from "./zonogon_figure";
@@ -101,7 +101,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     const line = lineOf(leastArea(state.points));
     return [
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
-      { name: "JSON", text: line },
+      { name: "JSON", text: JSON.stringify({ points: state.points }) },
     ];
   },
   accept(data: OwnData, state) {
@@ -137,8 +137,8 @@ function closing(state: State, answers: Answers): string {
 }
 
 function prunedSentence(late: Late | null): string {
-  const cells = late?.pruning?.cells ?? [];
+  const cells = cellsOfAll(late);
   if (cells.length === 0) return "For these points no cell is needed: there are too few lines.";
-  const told = cells.map((cell) => `${cell.crossing.length} of ${cell.lines}`).join(", then ");
-  return `Here the lines left are ${told}.`;
+  const told = cells.map((cell) => `${cell.crossing.length} of ${cell.lines.length}`).join(", then ");
+  return `Here the lines that cross the cells are ${told}.`;
 }

@@ -45,7 +45,7 @@ export function lineFigure(control: Control<State>): Figure<State, Answers> {
         track.slice(1, -1).map((point) => view.dot(point, 3, { fill: "var(--green)" })),
       );
       view.draw("names", [
-        view.text([-far, least], `least area ${digits(least)}`, { class: "quiet" }, [0, -6]),
+        view.text([-far, least], `least area ${digits(least)}`, { class: "quiet" }, [0, 16]),
         view.text([-far, high], `f up to ${digits(high)}`, { class: "quiet" }, [0, 0]),
         view.text([far, least], "along the line →", { class: "quiet", "text-anchor": "end" }, [0, 16]),
       ]);

@@ -6,9 +6,9 @@ import { html } from "../../kit/elements";
 import { boxAround, PlaneView } from "../../kit/plane_view";
 import { Stepper } from "../../kit/stepper";
 import { digits, sub2 } from "../../kit/vectors";
-import type { AreaSearch } from "../../library/pictures";
+import type { AreaSearch, Pruning } from "../../library/pictures";
 import type { Vec2 } from "../../library/shapes";
-import type { Answers, State } from "./state";
+import type { Answers, Late, State } from "./state";
 
 /** A sentence about the line, but for its end. */
 const SIDES: Readonly<Record<AreaSearch["steps"][number]["side"], string>> = {
@@ -111,7 +111,7 @@ export function pruningFigure(control: Control<State>): Figure<State, Answers> {
     draw(state, answers) {
       const { hull, lines } = answers.zonogon;
       view.fit(boxAround(hull.map((index) => state.points[index] as Vec2)));
-      const cells = answers.late?.pruning?.cells ?? [];
+      const cells = cellsOfAll(answers.late);
       const crossing = new Set(cells[cells.length - 1]?.crossing ?? []);
       const drawn = lines.map(([one, other], index) =>
         view.line(one, sub2(other, one), { class: crossing.has(index) ? "good" : "thin" }),
@@ -128,7 +128,7 @@ export function pruningFigure(control: Control<State>): Figure<State, Answers> {
       const names = cells.map((cell) =>
         view.text(
           cell.corners[2] ?? [0, 0],
-          `${cell.crossing.length} of ${cell.lines} lines`,
+          `${cell.crossing.length} of ${cell.lines.length} lines`,
           { class: "quiet" },
           [6, -6],
         ),
@@ -136,4 +136,14 @@ export function pruningFigure(control: Control<State>): Figure<State, Answers> {
       view.draw("names", names);
     },
   };
+}
+
+/** The cells for all lines, as long as each leaves fewer of them; those for samples are left out. */
+export function cellsOfAll(late: Late | null): Pruning["cells"] {
+  const cells = late?.pruning?.cells ?? [];
+  const most = Math.max(0, ...cells.map((cell) => cell.lines.length));
+  const from = cells.map((cell) => cell.lines.length).lastIndexOf(most);
+  const after = cells.slice(Math.max(0, from));
+  const end = after.findIndex((cell) => cell.crossing.length >= cell.lines.length);
+  return end < 0 ? after : after.slice(0, end);
 }

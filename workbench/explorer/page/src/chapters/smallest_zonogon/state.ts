@@ -56,8 +56,8 @@ export interface Answers {
 /** Points up to which the steps of the search are asked for. */
 const SEARCH_LIMIT = 200;
 
-/** Lines up to which pruning stops and walks along lines instead: so few that small hulls show cells, too. */
-const PRUNED = 4;
+/** Lines up to which pruning stops and walks along lines instead. */
+const PRUNED = 12;
 
 /** Levels of f above its least value, as parts of it. */
 const LEVELS = [1.05, 1.15, 1.3, 1.5, 1.75, 2.1, 2.5, 3];
