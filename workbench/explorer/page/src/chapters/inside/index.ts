@@ -16,7 +16,6 @@ import {
   first,
   later,
   MOST_GENERATORS,
-  otherOf,
   question,
   questions,
   read,
