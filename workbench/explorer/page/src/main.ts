@@ -11,7 +11,9 @@ import about from "./about.html";
 const THEMES = ["auto", "light", "dark"] as const;
 
 function head(): HTMLElement {
-  const links = chapters.map((chapter) => html("a", { href: `#${chapter.id}`, "data-chapter": chapter.id }, chapter.title));
+  const links = chapters.map((chapter) =>
+    html("a", { href: `#${chapter.id}`, "data-chapter": chapter.id }, chapter.title),
+  );
   let theme = 0;
   const themes = button("Theme: auto", () => {
     theme = (theme + 1) % THEMES.length;

@@ -14,9 +14,17 @@ export async function test(opened, _library, { ids }) {
       await page.evaluate(axe);
       const found = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
       const serious = found.violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-      const told = serious.map((one) => `${one.id}: ${one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(" | ")}`);
+      const told = serious.map(
+        (one) =>
+          `${one.id}: ${one.nodes
+            .slice(0, 3)
+            .map((node) => node.html.slice(0, 160))
+            .join(" | ")}`,
+      );
       holds(serious.length === 0, `${id}, ${scheme}: ${told.join("\n")}`);
-      for (const label of await page.locator("[data-handle]").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")))) {
+      for (const label of await page
+        .locator("[data-handle]")
+        .evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")))) {
         holds(label && /\d/.test(label), `${id}: a handle is called ${label}`);
       }
       await page.waitForTimeout(900);

@@ -21,7 +21,8 @@ export async function test(opened, library, { ids }) {
     for (const name of presets.slice(1)) {
       await opened.preset(name);
       holds(!(await page.locator(".notice").first().isVisible()), `${id}: the library answers ${name}`);
-      for (const read of await page.locator("output.read").allTextContents()) holds(!/NaN|undefined|null/.test(read), `${id}, ${name}: a read-out is ${read}`);
+      for (const read of await page.locator("output.read").allTextContents())
+        holds(!/NaN|undefined|null/.test(read), `${id}, ${name}: a read-out is ${read}`);
     }
 
     // A link brings the state back.
@@ -50,10 +51,19 @@ export async function test(opened, library, { ids }) {
     JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
 
     // Downloads are pictures.
-    for (const [kind, begins] of [["SVG", "<svg"], ["PNG", "\x89PNG"]]) {
-      const [download] = await Promise.all([page.waitForEvent("download"), page.locator(".figure-tools").first().getByRole("button", { name: kind }).click()]);
+    for (const [kind, begins] of [
+      ["SVG", "<svg"],
+      ["PNG", "\x89PNG"],
+    ]) {
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.locator(".figure-tools").first().getByRole("button", { name: kind }).click(),
+      ]);
       const content = readFileSync(await download.path());
-      holds(content.subarray(0, begins.length).toString("latin1") === begins, `${id}: the ${kind} begins with ${begins}`);
+      holds(
+        content.subarray(0, begins.length).toString("latin1") === begins,
+        `${id}: the ${kind} begins with ${begins}`,
+      );
       holds(content.length > 800, `${id}: the ${kind} has ${content.length} bytes`);
     }
 
@@ -66,7 +76,10 @@ export async function test(opened, library, { ids }) {
     await page.getByRole("button", { name: "Own data …" }).click();
     await page.getByRole("textbox", { name: "Data" }).fill("nothing here");
     await page.getByRole("button", { name: "Show", exact: true }).click();
-    holds((await page.locator(".problem").innerText()).length > 10, `${id}: a text without numbers is refused with a reason`);
+    holds(
+      (await page.locator(".problem").innerText()).length > 10,
+      `${id}: a text without numbers is refused with a reason`,
+    );
     await page.getByRole("textbox", { name: "Data" }).fill(OWN[id] ?? OWN.inside);
     await page.getByRole("button", { name: "Show", exact: true }).click();
     await opened.rest();

@@ -38,7 +38,9 @@ export class Library {
   }
 
   ask(entry, kind, input, method) {
-    const answer = JSON.parse(this.call(entry, JSON.stringify({ id: "test", kind, input, ...(method ? { method } : {}) })));
+    const answer = JSON.parse(
+      this.call(entry, JSON.stringify({ id: "test", kind, input, ...(method ? { method } : {}) })),
+    );
     if (answer.error) throw new Error(`${kind}: ${answer.error.message}`);
     return answer.result;
   }
@@ -128,7 +130,11 @@ export function same(found, expected, about) {
 
 /** A text that is the same for the same data, whatever the order of their fields. */
 export function text(data) {
-  return JSON.stringify(data, (_, value) => (value && typeof value === "object" && !Array.isArray(value) ? Object.fromEntries(Object.entries(value).sort()) : value));
+  return JSON.stringify(data, (_, value) =>
+    value && typeof value === "object" && !Array.isArray(value)
+      ? Object.fromEntries(Object.entries(value).sort())
+      : value,
+  );
 }
 
 export function holds(condition, about) {

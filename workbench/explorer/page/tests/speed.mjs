@@ -15,8 +15,24 @@ export async function test(opened) {
     first.push(await page.evaluate(() => performance.now()));
   }
   const rows = [["first picture after opening", Math.min(...first), Math.max(...first), ""]];
-  rows.push(await drag(opened, "smallest-zonogon", { points: CIRCLE, center: [0.4, 0.3], turn: 10, step: 0, levels: false }, '[data-handle="O"]', "drag O among 200 points"));
-  rows.push(await drag(opened, "smallest-zonogon", { points: CIRCLE, center: [0.4, 0.3], turn: 10, step: 0, levels: false }, '[data-handle="20"]', "drag one of 200 points"));
+  rows.push(
+    await drag(
+      opened,
+      "smallest-zonogon",
+      { points: CIRCLE, center: [0.4, 0.3], turn: 10, step: 0, levels: false },
+      '[data-handle="O"]',
+      "drag O among 200 points",
+    ),
+  );
+  rows.push(
+    await drag(
+      opened,
+      "smallest-zonogon",
+      { points: CIRCLE, center: [0.4, 0.3], turn: 10, step: 0, levels: false },
+      '[data-handle="20"]',
+      "drag one of 200 points",
+    ),
+  );
   await opened.chapter("tiling");
   await opened.preset("Sixty at random");
   rows.push(await typed(opened, "Generator 1, x", "change one of 60 generators"));
@@ -27,7 +43,10 @@ export async function test(opened) {
   await opened.preset("Thirty generators each");
   rows.push(await frames(opened));
   console.log("      what                                  median    99 %");
-  for (const [name, median, most, unit] of rows) console.log(`      ${name.padEnd(36)} ${median.toFixed(1).padStart(7)} ${most.toFixed(1).padStart(7)} ${unit || "ms"}`);
+  for (const [name, median, most, unit] of rows)
+    console.log(
+      `      ${name.padEnd(36)} ${median.toFixed(1).padStart(7)} ${most.toFixed(1).padStart(7)} ${unit || "ms"}`,
+    );
 }
 
 async function listen(page) {

@@ -15,12 +15,15 @@ export async function test(opened, _library, { ids }) {
     const { x, y } = await opened.place(selector);
     await touch("touchStart", [{ x, y }]);
     for (let step = 1; step <= 6; step += 1) await touch("touchMove", [{ x: x + 5 * step, y: y + 3 * step }]);
-    await page.waitForTimeout(150);
+    await page.waitForTimeout(600);
     const box = await page.locator(`${selector} .mark`).first().boundingBox();
     const after = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     await touch("touchEnd", []);
     await opened.rest();
-    holds(Math.hypot(after.x - x - 30, after.y - y - 18) < 3, `${id}: the finger left the handle at ${after.x}, ${after.y}, from ${x}, ${y}`);
+    holds(
+      Math.hypot(after.x - x - 30, after.y - y - 18) < 3,
+      `${id}: the finger left the handle at ${after.x}, ${after.y}, from ${x}, ${y}`,
+    );
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     holds(width <= 390, `${id}: the page is ${width} pixels wide on a phone`);
   }

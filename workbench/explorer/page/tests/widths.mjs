@@ -18,7 +18,8 @@ export async function test(opened, _library, { ids, shots }) {
         holds(wide <= width, `${id}: the page is ${wide} pixels wide in a window of ${width}`);
         const over = await page.evaluate(overlaps);
         holds(over.length === 0, `${id} at ${width}: ${over.join("; ")}`);
-        if (shots && width !== 320) await page.screenshot({ path: `${shots}/${id}-${width}-${scheme}.png`, fullPage: true });
+        if (shots && width !== 320)
+          await page.screenshot({ path: `${shots}/${id}-${width}-${scheme}.png`, fullPage: true });
       }
     }
   }
@@ -28,13 +29,16 @@ export async function test(opened, _library, { ids, shots }) {
 function overlaps() {
   const found = [];
   for (const parent of document.querySelectorAll("article, header, nav, .tools, .figures, .reply, .stepper")) {
-    const children = [...parent.children].filter((one) => one.getClientRects().length > 0 && getComputedStyle(one).position !== "absolute");
+    const children = [...parent.children].filter(
+      (one) => one.getClientRects().length > 0 && getComputedStyle(one).position !== "absolute",
+    );
     for (const [index, one] of children.entries()) {
       for (const other of children.slice(index + 1)) {
         const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
         const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
         const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-        if (across > 1 && down > 1) found.push(`${one.tagName}.${one.className} lies over ${other.tagName}.${other.className}`);
+        if (across > 1 && down > 1)
+          found.push(`${one.tagName}.${one.className} lies over ${other.tagName}.${other.className}`);
       }
     }
   }

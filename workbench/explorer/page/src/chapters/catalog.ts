@@ -8,4 +8,11 @@ import { againChapter } from "./again";
 import { insideChapter } from "./inside";
 import { tilingChapter } from "./tiling";
 
-export const chapters: readonly AnyChapter[] = [smallestZonogon, tilingChapter, insideChapter, shortChapter, againChapter, motionChapter];
+export const chapters: readonly AnyChapter[] = [
+  smallestZonogon,
+  tilingChapter,
+  insideChapter,
+  shortChapter,
+  againChapter,
+  motionChapter,
+];

@@ -5,11 +5,34 @@ import type { Vec3 } from "../library/shapes";
 
 const GOLDEN = (1 + Math.sqrt(5)) / 2;
 
-export const CUBE: readonly Vec3[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+export const CUBE: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 export const PARALLEL: readonly Vec3[] = [...CUBE, [0.5, 0, 0]];
-export const RHOMBIC: readonly Vec3[] = [[1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]];
-export const TRUNCATED: readonly Vec3[] = [[1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]];
-export const ICOSAHEDRAL: readonly Vec3[] = [[0, 1, GOLDEN], [0, 1, -GOLDEN], [1, GOLDEN, 0], [1, -GOLDEN, 0], [GOLDEN, 0, 1], [-GOLDEN, 0, 1]];
+export const RHOMBIC: readonly Vec3[] = [
+  [1, 1, 1],
+  [-1, 1, 1],
+  [1, -1, 1],
+  [1, 1, -1],
+];
+export const TRUNCATED: readonly Vec3[] = [
+  [1, 1, 0],
+  [1, -1, 0],
+  [1, 0, 1],
+  [1, 0, -1],
+  [0, 1, 1],
+  [0, 1, -1],
+];
+export const ICOSAHEDRAL: readonly Vec3[] = [
+  [0, 1, GOLDEN],
+  [0, 1, -GOLDEN],
+  [1, GOLDEN, 0],
+  [1, -GOLDEN, 0],
+  [GOLDEN, 0, 1],
+  [-GOLDEN, 0, 1],
+];
 
 /** Generators around the vertical axis, all with one slope. */
 export function polar(count: number, rise: number): Vec3[] {

@@ -18,7 +18,10 @@ interface Entries {
 export class Stopped extends Error {}
 
 export class Machine {
-  private constructor(private readonly module: WebAssembly.Module, private entries: Entries | null) {}
+  private constructor(
+    private readonly module: WebAssembly.Module,
+    private entries: Entries | null,
+  ) {}
 
   /** A large module can be made ready only in the background: browsers refuse to do it in the midst of a script. */
   static async open(module: WebAssembly.Module): Promise<Machine> {

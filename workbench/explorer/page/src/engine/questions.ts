@@ -27,7 +27,10 @@ export interface Verdict {
 
 /** A question that the library does not answer, with the place that is at fault. */
 export class Refusal extends Error {
-  constructor(readonly code: string, message: string) {
+  constructor(
+    readonly code: string,
+    message: string,
+  ) {
     super(message);
   }
 }

@@ -48,7 +48,12 @@ export function dataDialog(
     field,
     file,
     problem,
-    html("div", { class: "tools" }, button("Show", take), button("Close", () => dialog.close())),
+    html(
+      "div",
+      { class: "tools" },
+      button("Show", take),
+      button("Close", () => dialog.close()),
+    ),
   );
   void read(dropped);
   document.body.append(dialog);

@@ -9,7 +9,20 @@ export function save(name: string, content: Blob): void {
 }
 
 /** Properties of the page's style that a picture needs beyond the page. */
-const KEPT = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin", "opacity", "font-size", "font-family", "font-weight", "text-anchor", "paint-order"];
+const KEPT = [
+  "fill",
+  "fill-opacity",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "stroke-linejoin",
+  "opacity",
+  "font-size",
+  "font-family",
+  "font-weight",
+  "text-anchor",
+  "paint-order",
+];
 
 /** The text of a picture that stands by itself: the page's style is written into its elements. */
 export function standalone(picture: SVGSVGElement): string {
@@ -34,7 +47,11 @@ export function standalone(picture: SVGSVGElement): string {
   copy.setAttribute("width", String(Math.round(width)));
   copy.setAttribute("height", String(Math.round(height)));
   const paper = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-  for (const [name, value] of [["width", "100%"], ["height", "100%"], ["fill", getComputedStyle(picture).getPropertyValue("--paper").trim() || "#fff"]] as const) {
+  for (const [name, value] of [
+    ["width", "100%"],
+    ["height", "100%"],
+    ["fill", getComputedStyle(picture).getPropertyValue("--paper").trim() || "#fff"],
+  ] as const) {
     paper.setAttribute(name, value);
   }
   copy.prepend(paper);

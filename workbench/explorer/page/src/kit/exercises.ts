@@ -10,7 +10,11 @@ export function exerciseList(chapter: AnyChapter, control: Control<unknown>, ask
 
 function one(exercise: Exercise<unknown>, control: Control<unknown>, asking: Asking): HTMLElement {
   const verdict = html("p", { class: "verdict", "aria-live": "polite" });
-  const item = html("li", { id: `exercise-${exercise.id}`, "data-exercise": exercise.id }, html("h4", {}, exercise.title));
+  const item = html(
+    "li",
+    { id: `exercise-${exercise.id}`, "data-exercise": exercise.id },
+    html("h4", {}, exercise.title),
+  );
   const task = html("div", { class: "task" });
   task.innerHTML = exercise.task;
   item.append(task);
@@ -39,7 +43,10 @@ function one(exercise: Exercise<unknown>, control: Control<unknown>, asking: Ask
       return text === "" || !Number.isFinite(Number(text)) ? null : Number(text);
     };
     field.addEventListener("keydown", (event) => event.key === "Enter" && mark(typed()));
-    row.append(html("label", {}, `${reply.number} `, field), button("Check", () => mark(typed()), { class: "check" }));
+    row.append(
+      html("label", {}, `${reply.number} `, field),
+      button("Check", () => mark(typed()), { class: "check" }),
+    );
   } else {
     const group = html("fieldset", {}, html("legend", {}, "Your prediction"));
     reply.choices.forEach((choice, index) => {

@@ -11,7 +11,9 @@ export function frameFigure(id: string, figure: Figure<unknown, unknown>, place:
   if (figure.svg) {
     const svg = () => (figure.svg as () => string)();
     tools.append(
-      button("SVG", () => save(`${id}.svg`, new Blob([svg()], { type: "image/svg+xml" })), { title: "Download as SVG" }),
+      button("SVG", () => save(`${id}.svg`, new Blob([svg()], { type: "image/svg+xml" })), {
+        title: "Download as SVG",
+      }),
       button("PNG", async () => save(`${id}.png`, await (figure.png ? figure.png() : toPng(svg()))), {
         title: "Download as PNG",
       }),

@@ -141,7 +141,10 @@ export class Handles {
     const arrow = ARROWS[event.key];
     if (arrow) {
       const step = KEY_STEP * (event.shiftKey ? 10 : 1);
-      this.events.moved(id, [at[0] + arrow[0] * step, at[1] + arrow[1] * step], true);
+      // The next key may come before the next frame: it goes on from here.
+      const next: Vec2 = [at[0] + arrow[0] * step, at[1] + arrow[1] * step];
+      drawn.handle = { ...drawn.handle, at: next };
+      this.events.moved(id, next, true);
     } else if ((event.key === "Delete" || event.key === "Backspace") && removable) {
       this.events.removed?.(id);
     } else return;

@@ -1,4 +1,7 @@
-/** Mounts a chapter: its words, with numbers and figures in their places, and the circle of state, questions, drawing. */
+/**
+ * Mounts a chapter: its words, with numbers and figures in their places, and the circle of state, questions,
+ * drawing.
+ */
 
 import type { Engine } from "../engine/engine";
 import { Refusal } from "../engine/questions";
@@ -30,7 +33,12 @@ const LONGEST_NUMBER = 28;
 /** Read-outs are spoken after so many milliseconds without a change: at a human pace. */
 const SPEECH = 900;
 
-export function mount(chapter: AnyChapter, state: unknown, engine: Engine, finished: (state: unknown) => void): Mounted {
+export function mount(
+  chapter: AnyChapter,
+  state: unknown,
+  engine: Engine,
+  finished: (state: unknown) => void,
+): Mounted {
   const element = html("article", { class: "chapter", id: chapter.id });
   element.innerHTML = chapter.text;
   const speech = html("p", { class: "speech", "aria-live": "polite" });

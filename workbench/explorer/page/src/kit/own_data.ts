@@ -24,7 +24,8 @@ export function readOwnData(text: string): OwnData | string {
 
 function ofRows(rows: number[][]): OwnData | string {
   if (rows.length === 0) return "No line of the text holds two or three numbers.";
-  if (rows.length > MOST_POINTS) return `The page takes ${MOST_POINTS} points, and these are ${rows.length}: the program takes them.`;
+  if (rows.length > MOST_POINTS)
+    return `The page takes ${MOST_POINTS} points, and these are ${rows.length}: the program takes them.`;
   const dimension = rows[0]?.length ?? 0;
   const odd = rows.findIndex((row) => row.length !== dimension);
   if (odd >= 0) return `Row ${odd + 1} has ${rows[odd]?.length} numbers, the first one has ${dimension}.`;
@@ -34,17 +35,27 @@ function ofRows(rows: number[][]): OwnData | string {
 }
 
 function numbers(line: string): number[] {
-  const cells = line.trim().split(/[\s,;|]+/).filter((cell) => cell !== "");
+  const cells = line
+    .trim()
+    .split(/[\s,;|]+/)
+    .filter((cell) => cell !== "");
   const values = cells.map(Number);
   return values.every(Number.isFinite) ? values : [];
 }
 
 function tableRows(text: string): number[][] {
-  return text.split("\n").filter((line) => !/^\s*(#|\/\/|%)/.test(line)).map(numbers).filter((row) => row.length > 0);
+  return text
+    .split("\n")
+    .filter((line) => !/^\s*(#|\/\/|%)/.test(line))
+    .map(numbers)
+    .filter((row) => row.length > 0);
 }
 
 function marked(text: string, mark: string): number[][] {
-  const lines = text.split("\n").map((line) => line.trim()).filter((line) => line.startsWith(`${mark} `));
+  const lines = text
+    .split("\n")
+    .map((line) => line.trim())
+    .filter((line) => line.startsWith(`${mark} `));
   const rows = lines.map((line) => numbers(line.slice(mark.length)).slice(0, 3));
   return [...new Map(rows.map((row) => [row.join(), row])).values()];
 }
@@ -57,7 +68,10 @@ function offRows(text: string): number[][] {
 function plyRows(text: string): number[][] {
   const [head = "", body = ""] = text.split(/end_header\r?\n/, 2);
   const count = Number(/element vertex (\d+)/.exec(head)?.[1] ?? 0);
-  return body.split("\n").slice(0, count).map((line) => numbers(line).slice(0, 3));
+  return body
+    .split("\n")
+    .slice(0, count)
+    .map((line) => numbers(line).slice(0, 3));
 }
 
 function ofJson(text: string): OwnData | string {
@@ -86,5 +100,7 @@ function jsonRows(told: unknown): number[][] {
   if (!object) return [];
   const place = [object["x"], object["y"], object["z"]].map(finite).filter((value) => value !== null);
   if (place.length >= 2) return [place as number[]];
-  return ["features", "geometry", "geometries", "coordinates", "points"].flatMap((name) => jsonRows(object[name] ?? []));
+  return ["features", "geometry", "geometries", "coordinates", "points"].flatMap((name) =>
+    jsonRows(object[name] ?? []),
+  );
 }

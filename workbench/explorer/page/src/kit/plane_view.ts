@@ -49,7 +49,13 @@ export class PlaneView {
   private middle: Vec2 = [0, 0];
 
   /** `stretch`: the two axes have scales of their own, as in a graph of a function. */
-  constructor(label: string, layers: readonly string[], events: PlaneEvents, resized: () => void, private readonly stretch = false) {
+  constructor(
+    label: string,
+    layers: readonly string[],
+    events: PlaneEvents,
+    resized: () => void,
+    private readonly stretch = false,
+  ) {
     this.svg = svg("svg", { class: "plane", role: "group", "aria-label": label }) as SVGSVGElement;
     if (events.pressed) this.svg.setAttribute("tabindex", "0");
     for (const name of layers) {
@@ -66,7 +72,8 @@ export class PlaneView {
     this.listen(events);
     new ResizeObserver(() => {
       const { clientWidth, clientHeight } = this.element;
-      if (clientWidth === 0 || clientHeight === 0 || (clientWidth === this.width && clientHeight === this.height)) return;
+      if (clientWidth === 0 || clientHeight === 0 || (clientWidth === this.width && clientHeight === this.height))
+        return;
       [this.width, this.height] = [clientWidth, clientHeight];
       this.frame(this.box);
       resized();
@@ -151,7 +158,10 @@ export class PlaneView {
     const [px, py] = this.pixel(through);
     const [dx, dy] = [direction[0] * this.scales[0], -direction[1] * this.scales[1]];
     let [from, to] = [-Infinity, Infinity];
-    for (const [start, step, size] of [[px, dx, this.width], [py, dy, this.height]] as const) {
+    for (const [start, step, size] of [
+      [px, dx, this.width],
+      [py, dy, this.height],
+    ] as const) {
       if (step === 0) {
         if (start < 0 || start > size) return null;
         continue;

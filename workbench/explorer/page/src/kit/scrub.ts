@@ -1,4 +1,7 @@
-/** A number in a sentence that the reader changes: pulled to the left and right, by arrow keys, or typed in after Enter or a double click. */
+/**
+ * A number in a sentence that the reader changes: pulled to the left and right, by arrow keys, or typed in after
+ * Enter or a double click.
+ */
 
 import type { Control, Scrub } from "./chapter";
 import { html } from "./elements";
@@ -42,7 +45,14 @@ export function scrubber<State>(scrub: Scrub<State>, control: Control<State>) {
   element.addEventListener("pointerup", release);
   element.addEventListener("pointercancel", release);
   const type = () => {
-    const field = html("input", { type: "number", min: scrub.least, max: scrub.most, step: scrub.step, "aria-label": scrub.label, class: "typed" });
+    const field = html("input", {
+      type: "number",
+      min: scrub.least,
+      max: scrub.most,
+      step: scrub.step,
+      "aria-label": scrub.label,
+      class: "typed",
+    });
     field.value = String(scrub.get(control.state));
     element.replaceWith(field);
     field.select();

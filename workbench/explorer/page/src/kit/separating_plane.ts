@@ -12,7 +12,19 @@ export function drawPlane(plane: Solid, through: Vec3, normal: Vec3, half: numbe
   const upwards = cross3(u, across);
   const corner = (s: number, t: number) => add3(through, add3(scale3(across, s * half), scale3(upwards, t * half)));
   const vertices = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-  plane.draw({ vertices, facets: [[0, 1, 2, 3]], edges: [[0, 1], [1, 2], [2, 3], [3, 0]] }, { facets: [COLOUR], opacity: 0.25, edge: COLOUR });
+  plane.draw(
+    {
+      vertices,
+      facets: [[0, 1, 2, 3]],
+      edges: [
+        [0, 1],
+        [1, 2],
+        [2, 3],
+        [3, 0],
+      ],
+    },
+    { facets: [COLOUR], opacity: 0.25, edge: COLOUR },
+  );
 }
 
 function unit(v: Vec3): Vec3 {

@@ -3,7 +3,11 @@
 import type { AnyChapter, Control } from "./chapter";
 import { button, html } from "./elements";
 
-export function startSlides(chapter: AnyChapter, control: Control<unknown>, figures: ReadonlyMap<string, HTMLElement>): void {
+export function startSlides(
+  chapter: AnyChapter,
+  control: Control<unknown>,
+  figures: ReadonlyMap<string, HTMLElement>,
+): void {
   const before = control.state;
   const title = html("h2");
   const words = html("p");
@@ -41,7 +45,14 @@ export function startSlides(chapter: AnyChapter, control: Control<unknown>, figu
   const next = button("▶", () => show(now + 1), { "aria-label": "Next slide" });
   bar.append(
     html("div", { class: "slide-words" }, title, words),
-    html("div", { class: "tools" }, button("◀", () => show(now - 1), { "aria-label": "Slide before" }), count, next, button("End", end)),
+    html(
+      "div",
+      { class: "tools" },
+      button("◀", () => show(now - 1), { "aria-label": "Slide before" }),
+      count,
+      next,
+      button("End", end),
+    ),
   );
   document.addEventListener("keydown", key, true);
   document.body.classList.add("slides");

@@ -1,6 +1,16 @@
 /** A convex solid as it is drawn: facets with colours, and edges above them. */
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, type Object3D } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  type Object3D,
+} from "three";
 import type { Vec2, Vec3 } from "../library/shapes";
 import { cross3, dot3, length3, scale3, sub3 } from "./vectors";
 
@@ -28,7 +38,13 @@ export class Solid {
 
   constructor() {
     // Faces are moved back a little, so that the edges on them do not flicker.
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    const material = new MeshLambertMaterial({
+      vertexColors: true,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
     this.faces = new Mesh(new BufferGeometry(), material);
     this.lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.objects = [this.faces, this.lines];
@@ -67,7 +83,9 @@ export class Solid {
     this.faces.material.transparent = look.opacity < 1;
     this.faces.material.opacity = look.opacity;
     this.faces.material.depthWrite = look.opacity === 1;
-    const ends = new Float32Array(shape.edges.flatMap((edge) => edge.flatMap((vertex) => [...(shape.vertices[vertex] as Vec3)])));
+    const ends = new Float32Array(
+      shape.edges.flatMap((edge) => edge.flatMap((vertex) => [...(shape.vertices[vertex] as Vec3)])),
+    );
     const segments = new BufferGeometry();
     segments.setAttribute("position", new BufferAttribute(ends, 3));
     this.lines.geometry.dispose();

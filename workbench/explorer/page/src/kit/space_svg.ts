@@ -17,17 +17,27 @@ export function pictureOf(
 ): string {
   const group = svg("g");
   // Bodies that are farther away come first.
-  const depth = ({ shape }: Solid) => shape.vertices.reduce((sum, vertex) => sum + dot3(vertex, gaze), 0) / (shape.vertices.length || 1);
+  const depth = ({ shape }: Solid) =>
+    shape.vertices.reduce((sum, vertex) => sum + dot3(vertex, gaze), 0) / (shape.vertices.length || 1);
   for (const solid of [...solids].sort((one, other) => depth(other) - depth(one))) {
     const { shape, look } = solid;
     const facing = shape.facets.map((facet) => dot3(normalOf(shape, facet), gaze));
-    const order = shape.facets.map((_, index) => index).sort((one, other) => (facing[other] as number) - (facing[one] as number));
+    const order = shape.facets
+      .map((_, index) => index)
+      .sort((one, other) => (facing[other] as number) - (facing[one] as number));
     for (const index of order) {
       const facet = shape.facets[index] as readonly number[];
       const away = (facing[index] as number) > 0;
-      const points = facet.map((vertex) => pixelOf(shape.vertices[vertex] as Vec3).map(short).join(",")).join(" ");
+      const points = facet
+        .map((vertex) =>
+          pixelOf(shape.vertices[vertex] as Vec3)
+            .map(short)
+            .join(","),
+        )
+        .join(" ");
       const opacity = away ? 0.15 * look.opacity : 0.85 * look.opacity;
-      const style = `fill:${look.facets[index] ?? "#888"};fill-opacity:${short(opacity)};stroke:${look.edge};stroke-width:1`;
+      const fill = `fill:${look.facets[index] ?? "#888888"};fill-opacity:${short(opacity)}`;
+      const style = `${fill};stroke:${look.edge};stroke-width:1`;
       group.append(svg("polygon", { points, style: away ? `${style};stroke-dasharray:2 3` : style }));
     }
   }

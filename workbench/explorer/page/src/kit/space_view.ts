@@ -3,7 +3,15 @@
  * Parallelograms stay parallelograms in it. It is drawn only when something has changed.
  */
 
-import { AmbientLight, DirectionalLight, OrthographicCamera, Scene, Vector3, WebGLRenderer, type Object3D } from "three";
+import {
+  AmbientLight,
+  DirectionalLight,
+  OrthographicCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+  type Object3D,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Vec2, Vec3 } from "../library/shapes";
 import { html, svg } from "./elements";
@@ -55,7 +63,11 @@ export class SpaceView {
   private width = 640;
   private height = 420;
 
-  constructor(label: string, private readonly events: SpaceEvents, from: Vec3 = [3, -5, 2.6]) {
+  constructor(
+    label: string,
+    private readonly events: SpaceEvents,
+    from: Vec3 = [3, -5, 2.6],
+  ) {
     this.over.setAttribute("aria-label", `Handles: ${label}`);
     this.handles = new Handles({
       moved: (id, pixels, finished) => this.pull(id, pixels, finished),
@@ -63,7 +75,12 @@ export class SpaceView {
       ...(events.noticed ? { noticed: events.noticed } : {}),
     });
     this.over.append(this.layer.element, this.handles.element);
-    const canvas = html("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": `${label}. The arrow keys turn the view.` });
+    const canvas = html("canvas", {
+      class: "space",
+      tabindex: 0,
+      role: "img",
+      "aria-label": `${label}. The arrow keys turn the view.`,
+    });
     this.element = html("div", { class: "view" }, canvas, this.over);
     this.renderer = rendererFor(canvas);
     this.camera.up.set(0, 0, 1);
@@ -75,7 +92,9 @@ export class SpaceView {
       this.controls.addEventListener("change", () => this.redraw());
       canvas.style.touchAction = "pan-y";
     } else {
-      this.element.append(html("p", { class: "notice" }, "This browser draws no pictures of space (WebGL is missing)."));
+      this.element.append(
+        html("p", { class: "notice" }, "This browser draws no pictures of space (WebGL is missing)."),
+      );
     }
     this.light();
     this.listen(canvas);
@@ -93,7 +112,9 @@ export class SpaceView {
   fit(places: readonly Vec3[]): void {
     if (this.dragging || places.length === 0) return;
     const along = (axis: 0 | 1 | 2) => places.map((place) => place[axis]);
-    const middle = ([0, 1, 2] as const).map((axis) => (Math.min(...along(axis)) + Math.max(...along(axis))) / 2) as unknown as Vec3;
+    const middle = ([0, 1, 2] as const).map(
+      (axis) => (Math.min(...along(axis)) + Math.max(...along(axis))) / 2,
+    ) as unknown as Vec3;
     const around = (center: Vec3) => Math.max(...places.map((place) => length3(sub3(place, center))), 1e-9);
     const radius = around(middle);
     if (around(this.middle) > this.radius * 1.02 || radius < this.radius * LEAST_PART || !this.framed) {
@@ -117,7 +138,11 @@ export class SpaceView {
     this.scene.add(object);
   }
 
-  draw(handles: readonly SpaceHandle[], names: readonly { at: Vec3; text: string }[] = [], lines: readonly { points: readonly Vec3[]; look: string }[] = []): void {
+  draw(
+    handles: readonly SpaceHandle[],
+    names: readonly { at: Vec3; text: string }[] = [],
+    lines: readonly { points: readonly Vec3[]; look: string }[] = [],
+  ): void {
     this.handlesNow = handles;
     this.namesNow = names;
     this.linesNow = lines;
@@ -141,7 +166,14 @@ export class SpaceView {
   }
 
   svg(): string {
-    return pictureOf(this.over, [...this.solids.values()], (place) => this.pixel(place), this.gaze, this.width, this.height);
+    return pictureOf(
+      this.over,
+      [...this.solids.values()],
+      (place) => this.pixel(place),
+      this.gaze,
+      this.width,
+      this.height,
+    );
   }
 
   private render(): void {
@@ -150,7 +182,16 @@ export class SpaceView {
     this.renderer?.render(this.scene, this.camera);
     const lines: Shape[] = this.linesNow.map(({ points, look }) => ({
       tag: "polyline",
-      attributes: { points: points.map((place) => this.pixel(place).map((value) => value.toFixed(1)).join(",")).join(" "), class: look },
+      attributes: {
+        points: points
+          .map((place) =>
+            this.pixel(place)
+              .map((value) => value.toFixed(1))
+              .join(","),
+          )
+          .join(" "),
+        class: look,
+      },
     }));
     const names: Shape[] = this.namesNow.map(({ at, text }) => {
       const [x, y] = this.pixel(at);
@@ -198,7 +239,12 @@ export class SpaceView {
 
   private listen(canvas: HTMLCanvasElement): void {
     canvas.addEventListener("keydown", (event) => {
-      const turns: Readonly<Record<string, Vec2>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+      const turns: Readonly<Record<string, Vec2>> = {
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, 1],
+        ArrowDown: [0, -1],
+      };
       const turn = turns[event.key];
       if (turn) this.turn(turn[0] * KEY_TURN, turn[1] * KEY_TURN);
       else if (!this.events.pressed?.(event.key)) return;
@@ -225,7 +271,11 @@ export class SpaceView {
     const far = place.length();
     const height = Math.min(Math.max(Math.asin(place.z / far) + upwards, -1.5), 1.5);
     const angle = Math.atan2(place.y, place.x) + across;
-    place.set(far * Math.cos(height) * Math.cos(angle), far * Math.cos(height) * Math.sin(angle), far * Math.sin(height));
+    place.set(
+      far * Math.cos(height) * Math.cos(angle),
+      far * Math.cos(height) * Math.sin(angle),
+      far * Math.sin(height),
+    );
     this.camera.position.copy(place.add(middle));
     this.camera.lookAt(middle);
     this.controls?.update();

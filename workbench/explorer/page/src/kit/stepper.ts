@@ -11,11 +11,21 @@ export class Stepper {
   private steps = 1;
   private now = 0;
 
-  constructor(label: string, private readonly chosen: (step: number) => void) {
+  constructor(
+    label: string,
+    private readonly chosen: (step: number) => void,
+  ) {
     this.back = button("◀", () => this.go(this.now - 1), { "aria-label": "One step back" });
     this.on = button("▶", () => this.go(this.now + 1), { "aria-label": "One step on" });
     this.slider.addEventListener("input", () => this.go(Number(this.slider.value)));
-    this.element = html("div", { class: "stepper", role: "group", "aria-label": label }, this.back, this.slider, this.on, this.told);
+    this.element = html(
+      "div",
+      { class: "stepper", role: "group", "aria-label": label },
+      this.back,
+      this.slider,
+      this.on,
+      this.told,
+    );
   }
 
   /** Shows that the step `now` of so many is seen, with a sentence about it. */

@@ -5,7 +5,10 @@ export class Store<State> {
   private future: State[] = [];
   private rested: State;
 
-  constructor(private now: State, private readonly changed: (finished: boolean) => void) {
+  constructor(
+    private now: State,
+    private readonly changed: (finished: boolean) => void,
+  ) {
     this.rested = now;
   }
 

@@ -34,7 +34,8 @@ export function toolbar(
     if (chapter.random) control.commit(chapter.random(Number(seed.value) || 0, store.state));
     seed.value = String((Number(seed.value) + 1) % 10000);
   };
-  const ownData = (dropped?: File) => dataDialog(chapter, store, control, (sentence) => (note.textContent = sentence), dropped);
+  const ownData = (dropped?: File) =>
+    dataDialog(chapter, store, control, (sentence) => (note.textContent = sentence), dropped);
   const row = html("div", { class: "tools", role: "toolbar", "aria-label": "Tools of the chapter" }, choice);
   if (chapter.random) row.append(html("span", { class: "pair" }, button("Random", random), seed));
   row.append(
@@ -49,7 +50,9 @@ export function toolbar(
   const takeaways = chapter.takeaways(store.state);
   takeaways.forEach(({ name }, index) =>
     row.append(
-      told(`Copy as ${name}`, `On the clipboard: ${name}.`, () => copy(chapter.takeaways(store.state)[index]?.text ?? "")),
+      told(`Copy as ${name}`, `On the clipboard: ${name}.`, () =>
+        copy(chapter.takeaways(store.state)[index]?.text ?? ""),
+      ),
     ),
   );
   if (chapter.slides.length > 0) row.append(button("Slides", () => startSlides(chapter, control, figures)));

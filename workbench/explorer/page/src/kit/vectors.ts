@@ -27,7 +27,10 @@ export function digits(value: number | string, count = 4): string {
   const size = Math.abs(value);
   const text =
     size >= 1e7 || size < 1e-4
-      ? value.toExponential(count - 1).replace(/\.?0+e/, "e").replace("e+", "e")
+      ? value
+          .toExponential(count - 1)
+          .replace(/\.?0+e/, "e")
+          .replace("e+", "e")
       : value.toPrecision(count).includes("e")
         ? value.toFixed(0)
         : String(Number(value.toPrecision(count)));

@@ -11,7 +11,9 @@ export function zoneColour(index: number): string {
   const goal = round % 2 === 1 ? 255 : 0;
   const channels = [1, 3, 5].map((at) => {
     const value = parseInt(colour.slice(at, at + 2), 16);
-    return Math.round(value + (goal - value) * part).toString(16).padStart(2, "0");
+    return Math.round(value + (goal - value) * part)
+      .toString(16)
+      .padStart(2, "0");
   });
   return `#${channels.join("")}`;
 }
@@ -19,5 +21,11 @@ export function zoneColour(index: number): string {
 /** The colour between two colours, as it comes about where two zones cross. */
 export function mixed(colours: readonly string[]): string {
   const sums = [1, 3, 5].map((at) => colours.reduce((sum, colour) => sum + parseInt(colour.slice(at, at + 2), 16), 0));
-  return `#${sums.map((sum) => Math.round(sum / Math.max(1, colours.length)).toString(16).padStart(2, "0")).join("")}`;
+  return `#${sums
+    .map((sum) =>
+      Math.round(sum / Math.max(1, colours.length))
+        .toString(16)
+        .padStart(2, "0"),
+    )
+    .join("")}`;
 }

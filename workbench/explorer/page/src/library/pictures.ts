@@ -9,7 +9,10 @@ function picture<Result>(kind: string, input: unknown): Question<Result> {
 
 export interface CenteredZonogon {
   readonly area: number;
-  /** The vertices of the convex hull as indices of points, counter-clockwise; edge t leads from vertex t to the next. */
+  /**
+   * The vertices of the convex hull as indices of points, counter-clockwise; edge t leads from vertex t to the
+   * next.
+   */
   readonly hull: readonly number[];
   /** For each edge of the hull, the place in `hull` of a vertex farthest from it. */
   readonly farthest: readonly number[];
@@ -29,12 +32,19 @@ export function zonogon(center: Vec2, generators: readonly Vec2[]): Question<{ v
 }
 
 /** The polygons on which the area of Z(O) is at most a level. */
-export function levelSets(points: readonly Vec2[], levels: readonly number[]): Question<{ polygons: readonly (readonly Vec2[])[] }> {
+export function levelSets(
+  points: readonly Vec2[],
+  levels: readonly number[],
+): Question<{ polygons: readonly (readonly Vec2[])[] }> {
   return picture("level_sets", { points, levels });
 }
 
 /** The area of Z(O) for O on a segment: at its ends, and wherever it bends. */
-export function areaAlong(points: readonly Vec2[], from: Vec2, to: Vec2): Question<{ at: readonly number[]; area: readonly number[] }> {
+export function areaAlong(
+  points: readonly Vec2[],
+  from: Vec2,
+  to: Vec2,
+): Question<{ at: readonly number[]; area: readonly number[] }> {
   return picture("area_along", { points, from, to });
 }
 
@@ -58,8 +68,13 @@ export function areaSearch(points: readonly Vec2[]): Question<AreaSearch> {
 }
 
 export interface Pruning {
-  /** The cells in the order in which they are drawn: the lines before it, those that cross it, its corners. */
-  readonly cells: readonly { readonly lines: number; readonly crossing: readonly number[]; readonly corners: readonly Vec2[] }[];
+  /** The cells in the order in which they are drawn, those for samples included: the lines before it, those that
+   * cross it, its corners. */
+  readonly cells: readonly {
+    readonly lines: readonly number[];
+    readonly crossing: readonly number[];
+    readonly corners: readonly Vec2[];
+  }[];
 }
 
 /** The search by pruning: cells around the best centre, and the few lines that cross them. */

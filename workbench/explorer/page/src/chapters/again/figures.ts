@@ -1,4 +1,7 @@
-/** The figures of the chapter: a reduced body around its original, a walk over facets, and the effort of many questions. */
+/**
+ * The figures of the chapter: a reduced body around its original, a walk over facets, and the effort of many
+ * questions.
+ */
 
 import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
@@ -14,14 +17,22 @@ import { RULES, type Answers, type State } from "./state";
 /** The colours of the facet on which the walk stands, of its neighbours, and of facets that it has been on. */
 const [HERE, NEXT, BEEN] = ["#d55e00", "#f0e442", "#e8b48a"];
 
-const shapeOf = (faces: Faces): SolidShape => ({ vertices: faces.vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) });
+const shapeOf = (faces: Faces): SolidShape => ({
+  vertices: faces.vertices,
+  facets: faces.facets,
+  edges: faces.edges.map((edge) => edge.ends),
+});
 
 export function reducedFigure(control: Control<State>): Figure<State, Answers> {
   const view = new SpaceView("A body in a body of few generators", {});
   const [inner, outer] = [new Solid(), new Solid()];
   view.put("inner", inner);
   view.put("outer", outer);
-  const choice = html("select", { "aria-label": "Rule" }, ...RULES.map((rule) => html("option", { value: rule }, rule.replaceAll("_", " "))));
+  const choice = html(
+    "select",
+    { "aria-label": "Rule" },
+    ...RULES.map((rule) => html("option", { value: rule }, rule.replaceAll("_", " "))),
+  );
   choice.addEventListener("change", () => control.commit({ ...control.state, rule: choice.value }));
   return {
     element: html("div", {}, view.element, html("p", {}, html("label", {}, "Rule: ", choice))),
@@ -56,12 +67,18 @@ export function walkFigure(control: Control<State>): Figure<State, Answers> {
       shown = answers;
       const { body, neighbours } = answers;
       const last = state.path[state.path.length - 1] as FacetName;
-      const [here, next, been] = [nameOf(last), new Set((neighbours ?? []).map(nameOf)), new Set(state.path.map(nameOf))];
+      const [here, next, been] = [
+        nameOf(last),
+        new Set((neighbours ?? []).map(nameOf)),
+        new Set(state.path.map(nameOf)),
+      ];
       const colours = body.facets.map((_, facet) => {
         const name = facetNameOf(body, facet, state.generators);
         if (name === here) return HERE as string;
         if (next.has(name)) return NEXT as string;
-        return been.has(name) ? (BEEN as string) : mixed(["#8a94a0", ...(body.facet_zones[facet] ?? []).map(zoneColour), "#8a94a0"]);
+        return been.has(name)
+          ? (BEEN as string)
+          : mixed(["#8a94a0", ...(body.facet_zones[facet] ?? []).map(zoneColour), "#8a94a0"]);
       });
       solid.draw(shapeOf(body), { facets: colours, opacity: 1, edge: "#20242a" });
       view.fit(body.vertices);
@@ -79,14 +96,29 @@ export function walkFigure(control: Control<State>): Figure<State, Answers> {
 
 export function effortFigure(): Figure<State, Answers> {
   const body = html("tbody");
-  const names: Readonly<Record<string, string>> = { by_lad: "nothing is prepared", by_direction_tree: "a tree over directions", by_cutting: "a cutting of the arrangement (Lemma 5.3)" };
-  const head = html("tr", {}, ...["Preparation", "Generators", "Operations before", "Operations for each point"].map((name) => html("th", { scope: "col" }, name)));
+  const names: Readonly<Record<string, string>> = {
+    by_lad: "nothing is prepared",
+    by_direction_tree: "a tree over directions",
+    by_cutting: "a cutting of the arrangement (Lemma 5.3)",
+  };
+  const head = html(
+    "tr",
+    {},
+    ...["Preparation", "Generators", "Operations before", "Operations for each point"].map((name) =>
+      html("th", { scope: "col" }, name),
+    ),
+  );
   return {
     element: html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), body)),
     draw(_, { efforts }) {
       body.replaceChildren(
         ...efforts.map((one) =>
-          html("tr", {}, html("th", { scope: "row" }, names[one.method] ?? one.method), ...[one.generators, one.build, one.query].map((value) => html("td", {}, digits(Math.round(value), 6)))),
+          html(
+            "tr",
+            {},
+            html("th", { scope: "row" }, names[one.method] ?? one.method),
+            ...[one.generators, one.build, one.query].map((value) => html("td", {}, digits(Math.round(value), 6))),
+          ),
         ),
       );
     },

@@ -23,10 +23,26 @@ export const againChapter: Chapter<State, Answers, Late> = {
   presets: [
     { name: "Polar zonohedron of 11", note: "Five generators around eleven.", make: first },
     { name: "Twenty at random", note: "Reduce them to six.", make: () => of(randomGenerators(5, 20), 6) },
-    { name: "Nearly a ball", note: "Polar zonohedra at three slopes.", make: () => of([...polar(9, 0.25), ...polar(7, 0.8), ...polar(5, 2)], 9) },
-    { name: "A needle", note: "All generators point nearly in one direction.", make: () => of(randomGenerators(8, 12).map((one): Vec3 => [one[0] * 0.15, one[1] * 0.15, 1 + one[2] * 0.2]), 3) },
+    {
+      name: "Nearly a ball",
+      note: "Polar zonohedra at three slopes.",
+      make: () => of([...polar(9, 0.25), ...polar(7, 0.8), ...polar(5, 2)], 9),
+    },
+    {
+      name: "A needle",
+      note: "All generators point nearly in one direction.",
+      make: () =>
+        of(
+          randomGenerators(8, 12).map((one): Vec3 => [one[0] * 0.15, one[1] * 0.15, 1 + one[2] * 0.2]),
+          3,
+        ),
+    },
     { name: "Rhombic dodecahedron", note: "Three generators of four: a box around it.", make: () => of(RHOMBIC, 3) },
-    { name: "Truncated octahedron", note: "Its generators are in special position, so the walk has no names for its hexagons.", make: () => of(TRUNCATED, 4) },
+    {
+      name: "Truncated octahedron",
+      note: "Its generators are in special position, so the walk has no names for its hexagons.",
+      make: () => of(TRUNCATED, 4),
+    },
   ],
   questions,
   later,
@@ -40,13 +56,30 @@ export const againChapter: Chapter<State, Answers, Late> = {
     standing,
   },
   scrubs: {
-    most: { label: "Generators at most", least: 3, most: MOST_GENERATORS, step: 1, get: (state) => state.most, set: (state, most) => ({ ...state, most }) },
+    most: {
+      label: "Generators at most",
+      least: 3,
+      most: MOST_GENERATORS,
+      step: 1,
+      get: (state) => state.most,
+      set: (state, most) => ({ ...state, most }),
+    },
   },
   actions: {},
   slides: [
     { figure: "reduced", title: "A simpler body around it", words: "Eleven generators in five.", make: first },
-    { figure: "reduced", title: "Finer", words: "With eight generators hardly anything is lost.", make: () => ({ ...first(), most: 8 }) },
-    { figure: "walk", title: "A walk", words: "Each facet has four neighbours, found from the generators alone.", make: first },
+    {
+      figure: "reduced",
+      title: "Finer",
+      words: "With eight generators hardly anything is lost.",
+      make: () => ({ ...first(), most: 8 }),
+    },
+    {
+      figure: "walk",
+      title: "A walk",
+      words: "Each facet has four neighbours, found from the generators alone.",
+      make: first,
+    },
   ],
   takeaways: (state) => {
     const line = lineOf(reduce(bodyOf(state), state.most, state.rule));
@@ -58,16 +91,22 @@ export const againChapter: Chapter<State, Answers, Late> = {
   accept(data: OwnData) {
     const generators = "generators" in data ? data.generators : "points3" in data ? data.points3 : null;
     if (!generators) return "This chapter takes generators of space: three numbers a row.";
-    if (generators.length < 3 || generators.length > MOST_GENERATORS) return `The chapter takes 3 to ${MOST_GENERATORS} generators.`;
+    if (generators.length < 3 || generators.length > MOST_GENERATORS)
+      return `The chapter takes 3 to ${MOST_GENERATORS} generators.`;
     return of(generators, Math.max(3, Math.ceil(generators.length / 2)));
   },
   random: (seed) => of(randomGenerators(seed, 12), 6),
   sentence: (state, { reduced }) =>
-    `${state.generators.length} generators in at most ${state.most}; the distance is at most ${digits(reduced.result.hausdorff.upper)}.`,
+    `${state.generators.length} generators in at most ${state.most}; the distance is at most ` +
+    `${digits(reduced.result.hausdorff.upper)}.`,
 };
 
 function standing(state: State, { neighbours }: Answers): string {
   const last = state.path[state.path.length - 1] as FacetName;
-  if (!neighbours) return "These generators are in special position: three of them lie in a plane, or two are parallel, and the walk takes none of that.";
+  if (!neighbours)
+    return (
+      "These generators are in special position: three of them lie in a plane, or two are " +
+      "parallel, and the walk takes none of that."
+    );
   return `The walk stands on the facet of ${said(last)}, after ${state.path.length - 1} steps.`;
 }

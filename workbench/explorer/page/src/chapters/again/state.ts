@@ -66,7 +66,9 @@ function facetName(told: unknown, count: number): FacetName | null {
   const name = vec3(told);
   if (!name) return null;
   const [i, j, side] = name;
-  return Number.isInteger(i) && Number.isInteger(j) && 0 <= i && i < j && j < count && (side === 1 || side === -1) ? [i, j, side] : null;
+  return Number.isInteger(i) && Number.isInteger(j) && 0 <= i && i < j && j < count && (side === 1 || side === -1)
+    ? [i, j, side]
+    : null;
 }
 
 export const bodyOf = (state: State): Body => ({ center: ORIGIN, generators: state.generators });
@@ -81,7 +83,10 @@ export function questions(state: State, { ask }: Asking, late: Late | null): Ans
     around: ask(faces(reduced.result)).result,
     neighbours: ignoreRefusal(() => ask(walk(state.generators, last)).result.neighbours),
     efforts: late?.efforts ?? [],
-    verdict: late && late.of.generators === state.generators && late.of.most === state.most && late.of.rule === state.rule ? late.verdict : null,
+    verdict:
+      late && late.of.generators === state.generators && late.of.most === state.most && late.of.rule === state.rule
+        ? late.verdict
+        : null,
   };
 }
 
@@ -101,7 +106,9 @@ const ASKED = 40;
 let counted: readonly Effort[] | null = null;
 
 export async function later(state: State, { askLater, verifyLater }: AskingLater): Promise<Late> {
-  const reduced = await askLater(reduce(bodyOf(state), Math.min(state.most, Math.max(3, state.generators.length)), state.rule));
+  const reduced = await askLater(
+    reduce(bodyOf(state), Math.min(state.most, Math.max(3, state.generators.length)), state.rule),
+  );
   const verdict = await verifyLater(reduced);
   counted ??= await Promise.all(
     SIZES.flatMap((size) =>

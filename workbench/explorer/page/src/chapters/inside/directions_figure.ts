@@ -1,4 +1,7 @@
-/** The figure of the kernel's plane: directions in which the point is at height 1, and the one in which the body reaches least. */
+/**
+ * The figure of the kernel's plane: directions in which the point is at height 1, and the one in which the body
+ * reaches least.
+ */
 
 import type { Control, Figure } from "../../kit/chapter";
 import { standalone } from "../../kit/downloads";
@@ -9,7 +12,12 @@ import type { Vec2 } from "../../library/shapes";
 import type { Answers, State } from "./state";
 
 export function directionsFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new PlaneView("The plane of directions with a line for each generator", ["lines", "optimum", "names"], {}, () => control.redraw());
+  const view = new PlaneView(
+    "The plane of directions with a line for each generator",
+    ["lines", "optimum", "names"],
+    {},
+    () => control.redraw(),
+  );
   return {
     element: view.element,
     svg: () => standalone(view.svg),
@@ -20,9 +28,16 @@ export function directionsFigure(control: Control<State>): Figure<State, Answers
         return;
       }
       const [x, y] = plane.optimum ?? [0, 0];
-      const near = plane.lines.map(([a, b, c]) => Math.abs(a * x + b * y + c) / (Math.hypot(a, b) || 1)).filter(Number.isFinite);
+      const near = plane.lines
+        .map(([a, b, c]) => Math.abs(a * x + b * y + c) / (Math.hypot(a, b) || 1))
+        .filter(Number.isFinite);
       const radius = near.sort((one, other) => one - other)[Math.floor(near.length * 0.75)] || 1;
-      view.fit(boxAround([[x - radius, y - radius], [x + radius, y + radius]]));
+      view.fit(
+        boxAround([
+          [x - radius, y - radius],
+          [x + radius, y + radius],
+        ]),
+      );
       const lines = plane.lines.flatMap(([a, b, c], index) => {
         const size = a * a + b * b;
         if (size === 0) return [];
@@ -31,8 +46,16 @@ export function directionsFigure(control: Control<State>): Figure<State, Answers
         return line ? [line] : [];
       });
       view.draw("lines", lines);
-      view.draw("optimum", !plane.optimum ? [] : [view.dot(plane.optimum, 7, { fill: "var(--green)", stroke: "var(--paper)", "stroke-width": 2 })]);
-      view.draw("names", !plane.optimum ? [] : [view.text(plane.optimum, `gauge ${digits(plane.gauge)}`, {}, [11, -9])]);
+      view.draw(
+        "optimum",
+        !plane.optimum
+          ? []
+          : [view.dot(plane.optimum, 7, { fill: "var(--green)", stroke: "var(--paper)", "stroke-width": 2 })],
+      );
+      view.draw(
+        "names",
+        !plane.optimum ? [] : [view.text(plane.optimum, `gauge ${digits(plane.gauge)}`, {}, [11, -9])],
+      );
     },
   };
 }

@@ -11,7 +11,18 @@ import { presets } from "./presets";
 import { proofSentence, reachIn, statusWord } from "./proof";
 import { insideSearchFigure } from "./search_figure";
 import { insideSpaceFigure } from "./space_figure";
-import { bodyOf, first, later, MOST_GENERATORS, otherOf, question, questions, read, type Answers, type Late, type State } from "./state";
+import {
+  bodyOf,
+  first,
+  later,
+  MOST_GENERATORS,
+  question,
+  questions,
+  read,
+  type Answers,
+  type Late,
+  type State,
+} from "./state";
 import text from "./text.html";
 
 export const insideChapter: Chapter<State, Answers, Late> = {
@@ -30,7 +41,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     status: statusWord,
     proof: proofSentence,
     verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
-    gauge: (_, { gauge }) => gauge.gauge,
+    gauge: (_, { gauge }) => gauge?.gauge ?? "…",
     least: (state, { late }) => leastReach(state, late?.directions ?? null),
     apart: apartSentence,
   },
@@ -38,22 +49,47 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   actions: {
     second: (state) => ({ ...state, many: 0, others: state.others.length > 0 ? [] : CUBE }),
     touch: (state, { gauge }) => {
-      const factor = Number(gauge.gauge);
-      return Number.isFinite(factor) && factor > 0 ? { ...state, point: tidy3(scale3(state.point, 1 / factor)) } : state;
+      const factor = Number(gauge?.gauge);
+      return Number.isFinite(factor) && factor > 0
+        ? { ...state, point: tidy3(scale3(state.point, 1 / factor)) }
+        : state;
     },
   },
   slides: [
     { figure: "space", title: "Outside", words: "A plane stands between the body and the point.", make: first },
-    { figure: "space", title: "Inside", words: "A walk along the generators leads to the point.", make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }) },
-    { figure: "search", title: "A search over separators", words: "Each separator leaves half of the tiles.", make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }) },
-    { figure: "space", title: "Two bodies", words: "They meet if the way from centre to centre lies in the body of all generators.", make: () => ({ ...first(), point: [3.9, 1.4, 2.6], others: CUBE }) },
-    { figure: "directions", title: "The plane of directions", words: "The reach is a convex function, bent along one line for each generator.", make: first },
+    {
+      figure: "space",
+      title: "Inside",
+      words: "A walk along the generators leads to the point.",
+      make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }),
+    },
+    {
+      figure: "search",
+      title: "A search over separators",
+      words: "Each separator leaves half of the tiles.",
+      make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }),
+    },
+    {
+      figure: "space",
+      title: "Two bodies",
+      words: "They meet if the way from centre to centre lies in the body of all generators.",
+      make: () => ({ ...first(), point: [3.9, 1.4, 2.6], others: CUBE }),
+    },
+    {
+      figure: "directions",
+      title: "The plane of directions",
+      words: "The reach is a convex function, bent along one line for each generator.",
+      make: first,
+    },
   ],
   takeaways: (state) => {
     const line = lineOf(question(state));
     return [
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
-      { name: "JSON", text: JSON.stringify(state.others.length > 0 ? { a: bodyOf(state), b: otherOf(state) } : bodyOf(state)) },
+      {
+        name: "JSON",
+        text: state.others.length > 0 ? line : JSON.stringify(bodyOf(state)),
+      },
     ];
   },
   accept(data: OwnData, state) {
@@ -63,7 +99,8 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     return { ...state, generators, many: 0, step: 0 };
   },
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 7), many: 0, step: 0 }),
-  sentence: (state, answers) => `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge.gauge)}.`,
+  sentence: (state, answers) =>
+    `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge?.gauge ?? "being computed")}.`,
 };
 
 /** The reach in the direction at the lowest point. */
@@ -77,7 +114,15 @@ function leastReach(state: State, plane: PlaneOfDirections | null): number | str
 function apartSentence(state: State, { late }: Answers): string {
   if (state.others.length === 0 || !late?.apart) return "";
   const { distance, penetration, features } = late.apart;
-  if (distance > 0) return `The two bodies are ${digits(distance)} apart; the nearest points lie on a ${features.a} of the first and a ${features.b} of the second.`;
-  if (penetration && penetration.upper > 0) return `They overlap: a shift by ${digits(penetration.upper)} would part them, and one by less than ${digits(penetration.lower)} would not.`;
+  if (distance > 0)
+    return (
+      `The two bodies are ${digits(distance)} apart; the nearest points lie on a ${features.a} ` +
+      `of the first and a ${features.b} of the second.`
+    );
+  if (penetration && penetration.upper > 0)
+    return (
+      `They overlap: a shift by ${digits(penetration.upper)} would part them, and one by less ` +
+      `than ${digits(penetration.lower)} would not.`
+    );
   return "They touch without overlapping.";
 }

@@ -34,20 +34,35 @@ export function proofSentence(state: State, answers: Answers): string {
     const [far, reach] = [dot3(u, state.point), reachIn(state, u)];
     const goal = two ? "the centre of the second body lies" : "the point lies";
     const body = two ? "the two bodies together reach" : "the body reaches";
-    return `Take the direction u = ${place3(u)}. In this direction ${goal} ${digits(far)} beyond the centre, but ${body} only ${digits(reach)} far: the sum of all |u · v|. So there is a gap of ${digits(far - reach)}, and the plane at right angles to u between them separates the two.`;
+    return (
+      `Take the direction u = ${place3(u)}. In this direction ${goal} ${digits(far)} beyond the ` +
+      `centre, but ${body} only ${digits(reach)} far: the sum of all |u · v|. So there is a gap ` +
+      `of ${digits(far - reach)}, and the plane at right angles to u between them separates the ` +
+      "two."
+    );
   }
   const numbers = coefficients(answers) ?? [];
-  const listed = numbers.slice(0, LISTED).map((value) => digits(value, 3)).join(", ");
+  const listed = numbers
+    .slice(0, LISTED)
+    .map((value) => digits(value, 3))
+    .join(", ");
   const more = numbers.length > LISTED ? `, and ${numbers.length - LISTED} more` : "";
   const goal = two ? "the way from centre to centre is" : "the point is";
-  return `With the coefficients ${listed}${more}, all between −1 and 1, ${goal} the centre plus the sum of coefficients times generators. The dashed path in the figure takes one generator after the other and arrives.`;
+  return (
+    `With the coefficients ${listed}${more}, all between −1 and 1, ${goal} the centre plus ` +
+    "the sum of coefficients times generators. The dashed path in the figure takes one " +
+    "generator after the other and arrives."
+  );
 }
 
 /** The word for a status. */
 export function statusWord(state: State, answers: Answers): string {
   const { status } = answers.located.result;
-  if (state.others.length > 0) return { inside: "the bodies overlap", boundary: "the bodies just touch", outside: "the bodies are apart" }[status];
-  return { inside: "the point is inside", boundary: "the point is on the boundary", outside: "the point is outside" }[status];
+  if (state.others.length > 0)
+    return { inside: "the bodies overlap", boundary: "the bodies just touch", outside: "the bodies are apart" }[status];
+  return { inside: "the point is inside", boundary: "the point is on the boundary", outside: "the point is outside" }[
+    status
+  ];
 }
 
 function toNumber(exact: Exact): number {

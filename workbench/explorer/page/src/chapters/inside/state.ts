@@ -4,7 +4,16 @@ import type { Answer, Question, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { fields, finite, list, vec3, within } from "../../kit/reading";
 import { add3 } from "../../kit/vectors";
-import { faces, locationSearch, planeOfDirections, tiling, type Faces, type LocationSearch, type PlaneOfDirections, type Tiling } from "../../library/pictures";
+import {
+  faces,
+  locationSearch,
+  planeOfDirections,
+  tiling,
+  type Faces,
+  type LocationSearch,
+  type PlaneOfDirections,
+  type Tiling,
+} from "../../library/pictures";
 import { apart, gauge, locate, meet, type Apart, type Gauge, type Located, type Meeting } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
 import { randomGenerators } from "../../data/bodies";
@@ -24,6 +33,7 @@ export interface State {
 export interface Late {
   readonly of: State;
   readonly verdict: Verdict;
+  readonly gauge: Gauge;
   readonly search: LocationSearch | null;
   readonly tiling: Tiling | null;
   readonly directions: PlaneOfDirections | null;
@@ -32,7 +42,8 @@ export interface Late {
 
 export interface Answers {
   readonly located: Answer<Located | Meeting>;
-  readonly gauge: Gauge;
+  /** Null while it is being computed: of very many generators it is not asked in every frame. */
+  readonly gauge: Gauge | null;
   readonly body: Faces | null;
   readonly other: Faces | null;
   readonly late: Late | null;
@@ -46,7 +57,13 @@ export const MOST_GENERATORS = 1000;
 const ORIGIN: Vec3 = [0, 0, 0];
 
 export const first = (): State => ({
-  generators: [[1, 0.1, 0.8], [0.35, 1, 0.7], [-0.8, 0.65, 0.75], [-0.85, -0.6, 0.65], [0.3, -0.95, 0.85]],
+  generators: [
+    [1, 0.1, 0.8],
+    [0.35, 1, 0.7],
+    [-0.8, 0.65, 0.75],
+    [-0.85, -0.6, 0.65],
+    [0.3, -0.95, 0.85],
+  ],
   many: 0,
   point: [0.9, 0.4, 3.6],
   others: [],
@@ -72,7 +89,7 @@ const MANY = new Map<number, readonly Vec3[]>();
 /** The generators of the body, those that are only counted included. */
 export function generatorsOf(state: State): readonly Vec3[] {
   if (state.many === 0) return state.generators;
-  const known = MANY.get(state.many) ?? randomGenerators(7, state.many).map((one): Vec3 => [one[0] / 50, one[1] / 50, one[2] / 50]);
+  const known = MANY.get(state.many) ?? randomGenerators(7, state.many);
   MANY.set(state.many, known);
   return known;
 }
@@ -102,17 +119,23 @@ function facesOf(generators: readonly Vec3[], asking: Asking): Faces | null {
 
 export function questions(state: State, asking: Asking, late: Late | null): Answers {
   const other = state.others.length > 0 ? facesOf(state.others, asking) : null;
+  const current = late && sameQuestion(late.of, state) ? late : null;
   return {
     located: asking.ask(question(state)),
-    gauge: asking.ask(gauge(state.point, sumOf(state))).result,
+    gauge: state.many === 0 ? asking.ask(gauge(state.point, sumOf(state))).result : (current?.gauge ?? null),
     body: facesOf(generatorsOf(state), asking),
     other: other && { ...other, vertices: other.vertices.map((vertex) => add3(vertex, state.point)) },
-    late: late && sameQuestion(late.of, state) ? late : null,
+    late: current,
   };
 }
 
 function sameQuestion(one: State, other: State): boolean {
-  return one.generators === other.generators && one.many === other.many && one.others === other.others && one.point === other.point;
+  return (
+    one.generators === other.generators &&
+    one.many === other.many &&
+    one.others === other.others &&
+    one.point === other.point
+  );
 }
 
 export async function later(state: State, asking: AskingLater): Promise<Late> {
@@ -121,8 +144,9 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
   const drawn = sum.generators.length <= DRAWN;
   const spans = state.point.some((value) => value !== 0);
   const located = await askLater(question(state));
-  const [verdict, search, tiles, directions, distance] = await Promise.all([
+  const [verdict, measured, search, tiles, directions, distance] = await Promise.all([
     verifyLater(located),
+    askLater(gauge(state.point, sum)),
     drawn ? askLater(locationSearch(state.point, sum)).catch(() => null) : null,
     drawn ? askLater(tiling(sum.generators)).catch(() => null) : null,
     drawn && spans ? askLater(planeOfDirections(state.point, sum)).catch(() => null) : null,
@@ -131,6 +155,7 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
   return {
     of: state,
     verdict,
+    gauge: measured.result,
     search: search?.result ?? null,
     tiling: tiles?.result ?? null,
     directions: directions?.result ?? null,
@@ -148,4 +173,3 @@ export function walk(state: State, coefficients: readonly number[]): Vec3[] {
   });
   return places;
 }
-

@@ -11,16 +11,28 @@ export async function test(opened, library) {
     const center = [0, 0, 0];
     const gauge = library.ask("answer", "gauge", { p: center, q: point, generators: [...generators, ...others] }).gauge;
     same(String(await opened.read("gauge")), String(gauge), "the gauge");
-    const found = others.length > 0
-      ? library.ask("answer", "intersect", { a: { center, generators }, b: { center: point, generators: others } })
-      : library.ask("answer", "member", { point, center, generators });
+    const found =
+      others.length > 0
+        ? library.ask("answer", "intersect", { a: { center, generators }, b: { center: point, generators: others } })
+        : library.ask("answer", "member", { point, center, generators });
     const words = { inside: /inside|overlap/, boundary: /boundary|touch/, outside: /outside|apart/ };
-    holds(words[found.status].test(await opened.read("status")), `the page says ${await opened.read("status")}, the library ${found.status}`);
+    holds(
+      words[found.status].test(await opened.read("status")),
+      `the page says ${await opened.read("status")}, the library ${found.status}`,
+    );
     holds((await opened.read("verdict")).startsWith("right"), `the verifier says ${await opened.read("verdict")}`);
   };
   await opened.drag('#inside-space [data-handle="point"]', 12, -7);
   await agree();
-  for (const name of ["A point in a cube", "A corner of a cube", "Two cubes that touch", "Two cubes a hair apart", "Two polar zonohedra", "A flat body", "A segment and a point"]) {
+  for (const name of [
+    "A point in a cube",
+    "A corner of a cube",
+    "Two cubes that touch",
+    "Two cubes a hair apart",
+    "Two polar zonohedra",
+    "A flat body",
+    "A segment and a point",
+  ]) {
     await opened.preset(name);
     await agree();
   }

@@ -49,11 +49,26 @@ export const motionChapter: Chapter<State, Answers, Late> = {
   },
   actions: {},
   slides: [
-    { figure: "motion", title: "Two bodies move", words: "Every interval of the bar has one direction, good at every time of it.", make: first },
-    { figure: "motion", title: "A thin plate", words: "Five samples see nothing; the certificate finds the contact.", make: () => presets[1]?.make() ?? first() },
+    {
+      figure: "motion",
+      title: "Two bodies move",
+      words: "Every interval of the bar has one direction, good at every time of it.",
+      make: first,
+    },
+    {
+      figure: "motion",
+      title: "A thin plate",
+      words: "Five samples see nothing; the certificate finds the contact.",
+      make: () => presets[1]?.make() ?? first(),
+    },
     { figure: "arcs", title: "Figure 3", words: "The arcs of all vertices, moved to a common origin.", make: first },
     { figure: "swept", title: "The swept volume", words: "Three more generators enclose all placements.", make: first },
-    { figure: "swept", title: "Tighter", words: "Each generator turned by itself.", make: () => ({ ...first(), method: "by_turned_generators" }) },
+    {
+      figure: "swept",
+      title: "Tighter",
+      words: "Each generator turned by itself.",
+      make: () => ({ ...first(), method: "by_turned_generators" }),
+    },
   ],
   takeaways: ({ scene }) => {
     const line = lineOf(collide(scene.a, scene.b, scene.moves));
@@ -69,7 +84,13 @@ export const motionChapter: Chapter<State, Answers, Late> = {
   },
   random: (seed, state) => ({
     ...state,
-    scene: { ...state.scene, a: { ...state.scene.a, generators: randomGenerators(seed, 5).map((one): Vec3 => [one[0] / 4, one[1] / 4, one[2] / 4]) } },
+    scene: {
+      ...state.scene,
+      a: {
+        ...state.scene.a,
+        generators: randomGenerators(seed, 5).map((one): Vec3 => [one[0] / 4, one[1] / 4, one[2] / 4]),
+      },
+    },
   }),
   sentence: (state, answers) => `Time ${digits(state.time)}. ${statusSentence(state, answers)}`,
 };
@@ -79,13 +100,18 @@ function statusSentence(_: State, { collision }: Answers): string {
   const pieces = certificate.intervals.length;
   const proved = `${pieces} ${pieces === 1 ? "interval" : "intervals"}`;
   if (status === "separate") return `The bodies stay apart during the whole step; the proof has ${proved}.`;
-  if (status === "contact") return time?.[1] === 0 ? "The bodies meet at the beginning already." : `The bodies meet first between the times ${digits(time?.[0] ?? 0, 9)} and ${digits(time?.[1] ?? 0, 9)}; that they are apart before is proved by ${proved}.`;
+  if (status === "contact")
+    return time?.[1] === 0
+      ? "The bodies meet at the beginning already."
+      : `The bodies meet first between the times ${digits(time?.[0] ?? 0, 9)} and ` +
+          `${digits(time?.[1] ?? 0, 9)}; that they are apart before is proved by ${proved}.`;
   return `The bodies come closer than anything that can be decided, at time ${digits(time?.[1] ?? 0, 9)}.`;
 }
 
 function missedSentence(_: State, { collision, hits }: Answers): string {
   const { status } = collision.result;
-  if (status === "contact" && hits.length === 0) return "The samples say that nothing happened; the certificate knows better.";
+  if (status === "contact" && hits.length === 0)
+    return "The samples say that nothing happened; the certificate knows better.";
   if (status === "contact") return "Here the samples notice the contact, but not when it began.";
   return "They are right this time, but they could not know.";
 }
@@ -113,6 +139,9 @@ function shift(axis: 0 | 1 | 2): Scrub<State> {
     most: 8,
     step: 0.05,
     get: (state) => state.scene.moves.a.translation[axis],
-    set: (state, value) => change(state, "a", { translation: state.scene.moves.a.translation.map((old, at) => (at === axis ? value : old)) as unknown as Vec3 }),
+    set: (state, value) =>
+      change(state, "a", {
+        translation: state.scene.moves.a.translation.map((old, at) => (at === axis ? value : old)) as unknown as Vec3,
+      }),
   };
 }

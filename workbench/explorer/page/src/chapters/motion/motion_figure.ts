@@ -23,19 +23,23 @@ const PLANE_SIZE = 1.6;
 const LOOKS: Readonly<Record<Interval["frame"], string>> = { space: "", a: "other", b: "other", edges: "third" };
 
 export function motionFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new SpaceView("Two moving bodies", {
-    moved: (id, place, finished) => {
-      const { state } = control;
-      const { scene } = state;
-      // The body is pulled as it stands now; its axis goes with it.
-      const key = id === "a" ? "a" : "b";
-      const shift = sub3(place, placeAt(scene[key].center, scene.moves[key], state.time));
-      const body = { ...scene[key], center: tidy3(add3(scene[key].center, shift)) };
-      const move = { ...scene.moves[key], axis_point: tidy3(add3(scene.moves[key].axis_point, shift)) };
-      const next = { ...state, scene: { ...scene, [key]: body, moves: { ...scene.moves, [key]: move } } };
-      (finished ? control.commit : control.change)(next);
+  const view = new SpaceView(
+    "Two moving bodies",
+    {
+      moved: (id, place, finished) => {
+        const { state } = control;
+        const { scene } = state;
+        // The body is pulled as it stands now; its axis goes with it.
+        const key = id === "a" ? "a" : "b";
+        const shift = sub3(place, placeAt(scene[key].center, scene.moves[key], state.time));
+        const body = { ...scene[key], center: tidy3(add3(scene[key].center, shift)) };
+        const move = { ...scene.moves[key], axis_point: tidy3(add3(scene.moves[key].axis_point, shift)) };
+        const next = { ...state, scene: { ...scene, [key]: body, moves: { ...scene.moves, [key]: move } } };
+        (finished ? control.commit : control.change)(next);
+      },
     },
-  }, [1.2, -2.2, 3.2]);
+    [1.2, -2.2, 3.2],
+  );
   const [first, second, plane] = [new Solid(), new Solid(), new Solid()];
   view.put("plane", plane);
   view.put("a", first);
@@ -47,7 +51,8 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
   const told = html("p", { class: "told" });
   let playing = 0;
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const tenth = () => control.commit({ ...control.state, time: control.state.time >= 1 ? 0 : Math.min(1, control.state.time + 0.1) });
+  const tenth = () =>
+    control.commit({ ...control.state, time: control.state.time >= 1 ? 0 : Math.min(1, control.state.time + 0.1) });
   const play = calm
     ? button("One tenth on", tenth, { "data-tool": "play" })
     : button("Play", () => (playing ? stop() : start()), { "data-tool": "play" });
@@ -95,18 +100,25 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
 
 function spans({ collision }: Answers): Span[] {
   const { status, time, certificate } = collision.result;
-  const proved = certificate.intervals.map((one): Span => ({
-    from: one.from,
-    to: one.to,
-    look: LOOKS[one.frame],
-    title: `apart from ${digits(one.from)} to ${digits(one.to)}: one direction, ${frameName(one.frame)}`,
-  }));
+  const proved = certificate.intervals.map(
+    (one): Span => ({
+      from: one.from,
+      to: one.to,
+      look: LOOKS[one.frame],
+      title: `apart from ${digits(one.from)} to ${digits(one.to)}: one direction, ${frameName(one.frame)}`,
+    }),
+  );
   if (!time || status === "separate") return proved;
   return [...proved, { from: time[1], to: 1, look: "contact", title: `first contact at ${digits(time[1], 8)}` }];
 }
 
 function frameName(frame: Interval["frame"]): string {
-  return { space: "fixed in space", a: "turning with the first body", b: "turning with the second body", edges: "at right angles to an edge of each" }[frame];
+  return {
+    space: "fixed in space",
+    a: "turning with the first body",
+    b: "turning with the second body",
+    edges: "at right angles to an edge of each",
+  }[frame];
 }
 
 /** The direction of an interval as it stands at a time. */
@@ -126,10 +138,16 @@ function sentence(state: State, answers: Answers, interval: Interval | null, u: 
   if (interval && u) {
     const size = length3(u) || 1;
     const gap = (dot3(u, sub3(b.center, a.center)) - reachIn(u, a) - reachIn(u, b)) / size;
-    return `At time ${digits(time)} a plane separates the bodies; the gap between them is at least ${digits(gap)}. The direction is ${frameName(interval.frame)} and good from ${digits(interval.from)} to ${digits(interval.to)}.`;
+    return (
+      `At time ${digits(time)} a plane separates the bodies; the gap between them is at least ` +
+      `${digits(gap)}. The direction is ${frameName(interval.frame)} and good from ` +
+      `${digits(interval.from)} to ${digits(interval.to)}.`
+    );
   }
   const contact = answers.collision.result.time;
-  return contact && time >= contact[0] ? `At time ${digits(time)} the first contact, at ${digits(contact[1], 8)}, is past.` : `Time ${digits(time)}.`;
+  return contact && time >= contact[0]
+    ? `At time ${digits(time)} the first contact, at ${digits(contact[1], 8)}, is past.`
+    : `Time ${digits(time)}.`;
 }
 
 function reachIn(u: Vec3, body: Body): number {
@@ -141,14 +159,31 @@ function way(body: Body, motion: Motion, faces: Faces): Vec3[] {
   const size = Math.max(0, ...faces.vertices.map((vertex) => length3(sub3(vertex, body.center))));
   return [0, 0.5, 1].flatMap((time) => {
     const center = placeAt(body.center, motion, time);
-    return ([[size, 0, 0], [-size, 0, 0], [0, size, 0], [0, -size, 0]] as const).map((shift) => add3(center, shift));
+    return (
+      [
+        [size, 0, 0],
+        [-size, 0, 0],
+        [0, size, 0],
+        [0, -size, 0],
+      ] as const
+    ).map((shift) => add3(center, shift));
   });
 }
 
-export function drawPlaced(solid: Solid, faces: Faces, motion: Motion, time: number, colour: string, opacity = 0.9): void {
+export function drawPlaced(
+  solid: Solid,
+  faces: Faces,
+  motion: Motion,
+  time: number,
+  colour: string,
+  opacity = 0.9,
+): void {
   const vertices = faces.vertices.map((vertex) => placeAt(vertex, motion, time));
   const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
-  solid.draw({ vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) }, { facets: colours, opacity, edge: "#20242a" });
+  solid.draw(
+    { vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) },
+    { facets: colours, opacity, edge: "#20242a" },
+  );
 }
 
 /** The plane in the middle of the gap between two bodies. */

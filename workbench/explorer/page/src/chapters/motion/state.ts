@@ -43,7 +43,13 @@ export interface Answers {
   readonly late: Late | null;
 }
 
-export const METHODS = ["by_farthest_vertex", "by_middle_placement", "by_least_rectangle", "by_shadow", "by_turned_generators"] as const;
+export const METHODS = [
+  "by_farthest_vertex",
+  "by_middle_placement",
+  "by_least_rectangle",
+  "by_shadow",
+  "by_turned_generators",
+] as const;
 
 export const MOST_GENERATORS = 30;
 
@@ -52,8 +58,23 @@ export const REST: Motion = { axis_point: [0, 0, 0], axis: [0, 0, 1], angle: 0, 
 
 export const first = (): State => ({
   scene: {
-    a: { center: [-2.4, 0, 0], generators: [[1.1, 0.1, 0], [0, 0.22, 0.05], [0.05, 0, 0.3]] },
-    b: { center: [1.4, 0.9, 0], generators: [[0.35, 0.1, 0.1], [-0.1, 0.4, 0.1], [0.1, -0.1, 0.45], [0.2, 0.2, -0.2]] },
+    a: {
+      center: [-2.4, 0, 0],
+      generators: [
+        [1.1, 0.1, 0],
+        [0, 0.22, 0.05],
+        [0.05, 0, 0.3],
+      ],
+    },
+    b: {
+      center: [1.4, 0.9, 0],
+      generators: [
+        [0.35, 0.1, 0.1],
+        [-0.1, 0.4, 0.1],
+        [0.1, -0.1, 0.45],
+        [0.2, 0.2, -0.2],
+      ],
+    },
     moves: {
       a: { axis_point: [-2.4, 0, 0], axis: [0, 0, 1], angle: 2.2, translation: [3.9, -0.6, 0] },
       b: { axis_point: [1.4, 0.9, 0], axis: [0.3, 0.2, 1], angle: 1.4, translation: [-0.4, 0.3, 0] },

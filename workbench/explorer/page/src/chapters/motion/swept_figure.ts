@@ -23,19 +23,33 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
   const view = new SpaceView("The zonotope around all placements of the first body", {}, [1.2, -2.2, 3.2]);
   const outer = new Solid();
   view.put("outer", outer);
+  let drawn: Pick<Answers, "a" | "around" | "late"> | null = null;
   const copies = Array.from({ length: COPIES }, (_, index) => {
     const copy = new Solid();
     view.put(`copy ${index}`, copy);
     return copy;
   });
-  const choice = html("select", { "aria-label": "Method" }, ...METHODS.map((method) => html("option", { value: method }, NAMES[method] ?? method)));
+  const choice = html(
+    "select",
+    { "aria-label": "Method" },
+    ...METHODS.map((method) => html("option", { value: method }, NAMES[method] ?? method)),
+  );
   choice.addEventListener("change", () => control.commit({ ...control.state, method: choice.value }));
   const body = html("tbody");
   const head = html("tr", {}, ...["Method", "Generators", "Volume"].map((name) => html("th", { scope: "col" }, name)));
   return {
-    element: html("div", {}, view.element, html("p", {}, choice), html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), body))),
+    element: html(
+      "div",
+      {},
+      view.element,
+      html("p", {}, choice),
+      html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), body)),
+    ),
     svg: () => view.svg(),
     draw(state, { a, around, late }) {
+      // While the motion plays only the time changes, which this figure does not show.
+      if (drawn?.around === around && drawn.a === a && drawn.late === late) return;
+      drawn = { a, around, late };
       choice.value = state.method;
       const shape = { vertices: around.vertices, facets: around.facets, edges: around.edges.map((edge) => edge.ends) };
       outer.draw(shape, { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
@@ -44,7 +58,13 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
       view.draw([]);
       body.replaceChildren(
         ...(late?.volumes ?? []).map(({ method, volume, generators }) =>
-          html("tr", method === state.method ? { "aria-current": "true" } : {}, html("th", { scope: "row" }, NAMES[method] ?? method), html("td", {}, String(generators)), html("td", {}, digits(volume))),
+          html(
+            "tr",
+            method === state.method ? { "aria-current": "true" } : {},
+            html("th", { scope: "row" }, NAMES[method] ?? method),
+            html("td", {}, String(generators)),
+            html("td", {}, digits(volume)),
+          ),
         ),
       );
     },

@@ -13,7 +13,13 @@ export async function test(opened, library) {
     same(await page.locator("#motion-motion .span").count(), spans, "parts of the bar");
     holds((await opened.read("verdict")).startsWith("right"), `the verifier says ${await opened.read("verdict")}`);
   };
-  for (const name of ["A bar and a stone", "A thin plate through a gap in time", "Two cubes face to face", "Rhombic dodecahedra that tumble", "At rest"]) {
+  for (const name of [
+    "A bar and a stone",
+    "A thin plate through a gap in time",
+    "Two cubes face to face",
+    "Rhombic dodecahedra that tumble",
+    "At rest",
+  ]) {
     await opened.preset(name);
     await agree();
   }
@@ -34,6 +40,6 @@ export async function test(opened, library) {
   await page.locator('[data-tool="play"]').click();
   await page.waitForTimeout(700);
   await page.locator('[data-tool="play"]').click();
-  const time = Number(await page.locator('#motion-motion input[type=range]').inputValue());
+  const time = Number(await page.locator("#motion-motion input[type=range]").inputValue());
   holds(time > 0.02, `the clock ran to ${time}`);
 }

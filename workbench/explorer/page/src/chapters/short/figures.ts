@@ -19,9 +19,15 @@ export function alongFigure(control: Control<State>): Figure<State, Answers> {
       view.fit(boxAround([...state.points, ...alongOutline]));
       const center = along.center ?? state.points[0] ?? [0, 0];
       const rays = directionsOf(state).map((one) => view.line(center, one, { class: "thin dashed" }));
-      view.draw("outline", [...rays.filter((ray) => ray !== null), view.polygon(alongOutline, { class: "run", fill: "var(--fill-blue)", "stroke-width": 2.5 })]);
+      view.draw("outline", [
+        ...rays.filter((ray) => ray !== null),
+        view.polygon(alongOutline, { class: "run", fill: "var(--fill-blue)", "stroke-width": 2.5 }),
+      ]);
       const parts = directionsOf(state).map((one, index) => scale2(one, along.coefficients?.[index] ?? 0));
-      view.draw("generators", parts.map((part) => view.path([sub2(center, part), add2(center, part)], { class: "good", "stroke-width": 3 })));
+      view.draw(
+        "generators",
+        parts.map((part) => view.path([sub2(center, part), add2(center, part)], { class: "good", "stroke-width": 3 })),
+      );
       drawPoints(view, state);
     },
   };
@@ -38,15 +44,23 @@ export function fewFigure(control: Control<State>): Figure<State, Answers> {
         view.polygon(fewOutline, { class: "run reflected", "stroke-width": 2.5 }),
         view.polygon(allOutline, { class: "run", fill: "var(--fill-blue)", "stroke-width": 2 }),
       ]);
-      view.draw("generators", [view.dot(all.result.center, 5, { fill: "var(--blue)" }), view.dot(few.center, 5, { fill: "var(--red)" })]);
+      view.draw("generators", [
+        view.dot(all.result.center, 5, { fill: "var(--blue)" }),
+        view.dot(few.center, 5, { fill: "var(--red)" }),
+      ]);
       drawPoints(view, state);
     },
   };
 }
 
 export function dualFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new PlaneView("The zonogon of the forces in the unit circle", ["circle", "dual", "names"], {}, () => control.redraw());
-  const circle = Array.from({ length: 181 }, (_, index): Vec2 => [Math.cos((index * Math.PI) / 90), Math.sin((index * Math.PI) / 90)]);
+  const view = new PlaneView("The zonogon of the forces in the unit circle", ["circle", "dual", "names"], {}, () =>
+    control.redraw(),
+  );
+  const circle = Array.from(
+    { length: 181 },
+    (_, index): Vec2 => [Math.cos((index * Math.PI) / 90), Math.sin((index * Math.PI) / 90)],
+  );
   return {
     element: view.element,
     svg: () => standalone(view.svg),
@@ -75,7 +89,8 @@ function pointsView(control: Control<State>, label: string): PlaneView {
       },
       removed: (id) => {
         const { state } = control;
-        if (state.points.length > 1) control.commit({ ...state, points: state.points.filter((_, place) => String(place) !== id) });
+        if (state.points.length > 1)
+          control.commit({ ...state, points: state.points.filter((_, place) => String(place) !== id) });
       },
       added: (point) => control.commit({ ...control.state, points: [...control.state.points, tidy2(point)] }),
     },
@@ -85,10 +100,21 @@ function pointsView(control: Control<State>, label: string): PlaneView {
 
 function drawPoints(view: PlaneView, { points }: State): void {
   if (points.length > HANDLE_LIMIT) {
-    view.draw("dots", points.map((point) => view.dot(point, 2, { fill: "var(--blue)" })));
+    view.draw(
+      "dots",
+      points.map((point) => view.dot(point, 2, { fill: "var(--blue)" })),
+    );
     view.drawHandles([]);
     return;
   }
-  const handles = points.map((at, index): PlaneHandle => ({ id: String(index), at, label: `Point ${index + 1} at ${place2(at)}`, look: "point", removable: true }));
+  const handles = points.map(
+    (at, index): PlaneHandle => ({
+      id: String(index),
+      at,
+      label: `Point ${index + 1} at ${place2(at)}`,
+      look: "point",
+      removable: true,
+    }),
+  );
   view.drawHandles(handles);
 }

@@ -11,7 +11,11 @@ export async function test(opened, library) {
     const all = library.ask("answer", "min_length_all", { points, epsilon: 0.001 });
     same(await opened.read("length"), all.length, "the length");
     same(await opened.read("bound"), all.lower_bound, "the bound");
-    same(await opened.read("few"), library.ask("answer", "min_length_all", { points, epsilon: 0.001, max_generators: most }).length, "few generators");
+    same(
+      await opened.read("few"),
+      library.ask("answer", "min_length_all", { points, epsilon: 0.001, max_generators: most }).length,
+      "few generators",
+    );
     holds((await opened.read("verdict")).startsWith("right"), "the verifier agrees");
   };
   await opened.drag('#short-along [data-handle="1"]', 20, 15);

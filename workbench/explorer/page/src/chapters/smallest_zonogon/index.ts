@@ -10,7 +10,7 @@ import { lineFigure } from "./line_figure";
 import { presets, randomPoints } from "./presets";
 import { balance } from "./proof";
 import { proofFigure } from "./proof_figure";
-import { pruningFigure, searchFigure } from "./search_figure";
+import { cellsOfAll, pruningFigure, searchFigure } from "./search_figure";
 import { first, later, questions, read, type Answers, type Late, type State } from "./state";
 import text from "./text.html";
 import { zonogonFigure } from "./zonogon_figure";
@@ -26,7 +26,13 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
   questions,
   later,
   exercises,
-  figures: { zonogon: zonogonFigure, line: lineFigure, proof: proofFigure, search: searchFigure, pruning: pruningFigure },
+  figures: {
+    zonogon: zonogonFigure,
+    line: lineFigure,
+    proof: proofFigure,
+    search: searchFigure,
+    pruning: pruningFigure,
+  },
   reads: {
     area: (_, { zonogon }) => zonogon.area,
     count: (state) => state.points.length,
@@ -54,18 +60,48 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     levels: (state) => ({ ...state, levels: !state.levels }),
   },
   slides: [
-    { figure: "zonogon", title: "Points, and their reflections", words: "A zonogon with centre O that holds the points holds their reflections, too.", make: first },
-    { figure: "zonogon", title: "A better centre", words: "At the best centre the zonogon has the least area.", make: () => ({ ...first(), center: [2.9, 1.85] }) },
-    { figure: "line", title: "A valley without side valleys", words: "Along every line the area falls, then rises.", make: first },
-    { figure: "zonogon", title: "Level sets", words: "The area is a convex function of the centre.", make: () => ({ ...first(), levels: true }) },
-    { figure: "search", title: "The search", words: "A vertical line through the middle candidate; half of them are discarded.", make: first },
-    { figure: "search", title: "The next step", words: "Again the middle one of those that are left.", make: () => ({ ...first(), step: 1 }) },
+    {
+      figure: "zonogon",
+      title: "Points, and their reflections",
+      words: "A zonogon with centre O that holds the points holds their reflections, too.",
+      make: first,
+    },
+    {
+      figure: "zonogon",
+      title: "A better centre",
+      words: "At the best centre the zonogon has the least area.",
+      make: () => ({ ...first(), center: [2.9, 1.85] }),
+    },
+    {
+      figure: "line",
+      title: "A valley without side valleys",
+      words: "Along every line the area falls, then rises.",
+      make: first,
+    },
+    {
+      figure: "zonogon",
+      title: "Level sets",
+      words: "The area is a convex function of the centre.",
+      make: () => ({ ...first(), levels: true }),
+    },
+    {
+      figure: "search",
+      title: "The search",
+      words: "A vertical line through the middle candidate; half of them are discarded.",
+      make: first,
+    },
+    {
+      figure: "search",
+      title: "The next step",
+      words: "Again the middle one of those that are left.",
+      make: () => ({ ...first(), step: 1 }),
+    },
   ],
   takeaways: (state) => {
     const line = lineOf(leastArea(state.points));
     return [
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
-      { name: "JSON", text: line },
+      { name: "JSON", text: JSON.stringify({ points: state.points }) },
     ];
   },
   accept(data: OwnData, state) {
@@ -77,7 +113,8 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     return { ...state, points, center: middle(points), step: 0 };
   },
   sentence: (state, { zonogon, best }) =>
-    `${state.points.length} points; the area of the zonogon is ${digits(zonogon.area)}, the least area ${digits(best.result.area)}.`,
+    `${state.points.length} points; the area of the zonogon is ${digits(zonogon.area)}, the ` +
+    `least area ${digits(best.result.area)}.`,
 };
 
 function middle(points: readonly Vec2[]): Vec2 {
@@ -100,8 +137,8 @@ function closing(state: State, answers: Answers): string {
 }
 
 function prunedSentence(late: Late | null): string {
-  const cells = late?.pruning?.cells ?? [];
+  const cells = cellsOfAll(late);
   if (cells.length === 0) return "For these points no cell is needed: there are too few lines.";
-  const told = cells.map((cell) => `${cell.crossing.length} of ${cell.lines}`).join(", then ");
-  return `Here the lines left are ${told}.`;
+  const told = cells.map((cell) => `${cell.crossing.length} of ${cell.lines.length}`).join(", then ");
+  return `Here the lines that cross the cells are ${told}.`;
 }

@@ -40,14 +40,23 @@ export function lineFigure(control: Control<State>): Figure<State, Answers> {
       const best = view.line([0, least], [1, 0], { class: "best" });
       view.draw("axes", best ? [best] : []);
       view.draw("graph", [view.path(track, { class: "graph" })]);
-      view.draw("marks", track.slice(1, -1).map((point) => view.dot(point, 3, { fill: "var(--green)" })));
+      view.draw(
+        "marks",
+        track.slice(1, -1).map((point) => view.dot(point, 3, { fill: "var(--green)" })),
+      );
       view.draw("names", [
-        view.text([-far, least], `least area ${digits(least)}`, { class: "quiet" }, [0, -6]),
+        view.text([-far, least], `least area ${digits(least)}`, { class: "quiet" }, [0, 16]),
         view.text([-far, high], `f up to ${digits(high)}`, { class: "quiet" }, [0, 0]),
         view.text([far, least], "along the line →", { class: "quiet", "text-anchor": "end" }, [0, 16]),
       ]);
       view.drawHandles([
-        { id: "along", at: [moved, answers.zonogon.area], label: `O on its line; the area of Z(O) is ${digits(answers.zonogon.area)}`, look: "center", name: "O" },
+        {
+          id: "along",
+          at: [moved, answers.zonogon.area],
+          label: `O on its line; the area of Z(O) is ${digits(answers.zonogon.area)}`,
+          look: "center",
+          name: "O",
+        },
       ]);
     },
   };

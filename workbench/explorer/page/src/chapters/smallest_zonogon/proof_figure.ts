@@ -13,7 +13,12 @@ import type { Answers, State } from "./state";
 const TEXT_LIMIT = 14;
 
 export function proofFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new PlaneView("The hull with the coefficients of its edges", ["hull", "edges", "center", "names"], {}, () => control.redraw());
+  const view = new PlaneView(
+    "The hull with the coefficients of its edges",
+    ["hull", "edges", "center", "names"],
+    {},
+    () => control.redraw(),
+  );
   return {
     element: view.element,
     svg: () => standalone(view.svg),
@@ -28,9 +33,17 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
       for (const edge of balance(state, answers)) {
         const end = add2(edge.from, edge.vector);
         const look = edge.coefficient > 0 ? "run" : "run reflected";
-        if (edge.coefficient !== 0) edges.push(view.path([edge.from, end], { class: look, "stroke-width": 1 + 4 * Math.abs(edge.coefficient) }));
+        if (edge.coefficient !== 0)
+          edges.push(view.path([edge.from, end], { class: look, "stroke-width": 1 + 4 * Math.abs(edge.coefficient) }));
         if (corners.length <= TEXT_LIMIT) {
-          names.push(view.text(add2(edge.from, scale2(edge.vector, 0.5)), digits(edge.coefficient, 3), { "text-anchor": "middle" }, [0, -5]));
+          names.push(
+            view.text(
+              add2(edge.from, scale2(edge.vector, 0.5)),
+              digits(edge.coefficient, 3),
+              { "text-anchor": "middle" },
+              [0, -5],
+            ),
+          );
         }
       }
       view.draw("edges", edges);

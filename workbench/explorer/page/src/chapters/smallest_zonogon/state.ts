@@ -4,7 +4,17 @@ import type { Answer, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { finite, fields, list, vec2, within } from "../../kit/reading";
 import { add2, length2, scale2, sub2 } from "../../kit/vectors";
-import { areaAlong, areaSearch, centeredZonogon, levelSets, pruning, zonogon, type AreaSearch, type CenteredZonogon, type Pruning } from "../../library/pictures";
+import {
+  areaAlong,
+  areaSearch,
+  centeredZonogon,
+  levelSets,
+  pruning,
+  zonogon,
+  type AreaSearch,
+  type CenteredZonogon,
+  type Pruning,
+} from "../../library/pictures";
 import { leastArea, type LeastArea } from "../../library/plane";
 import type { Vec2 } from "../../library/shapes";
 
@@ -34,21 +44,36 @@ export interface Answers {
   /** The vertices of the zonogon of least area. */
   readonly outline: readonly Vec2[];
   /** The line through O: its ends, and f on it. */
-  readonly line: { readonly from: Vec2; readonly to: Vec2; readonly at: readonly number[]; readonly area: readonly number[] };
+  readonly line: {
+    readonly from: Vec2;
+    readonly to: Vec2;
+    readonly at: readonly number[];
+    readonly area: readonly number[];
+  };
   readonly late: Late | null;
 }
 
 /** Points up to which the steps of the search are asked for. */
 const SEARCH_LIMIT = 200;
 
-/** Lines up to which pruning stops and walks along lines instead: so few that small hulls show cells, too. */
-const PRUNED = 4;
+/** Lines up to which pruning stops and walks along lines instead. */
+const PRUNED = 12;
 
 /** Levels of f above its least value, as parts of it. */
 const LEVELS = [1.05, 1.15, 1.3, 1.5, 1.75, 2.1, 2.5, 3];
 
 export const first = (): State => ({
-  points: [[5.5, 2.5], [4, 3.1], [1.6, 3.3], [0.3, 2.8], [0.7, 1.5], [1.8, 0.1], [3, 0.2], [4.9, 1.3], [2.4, 1.7]],
+  points: [
+    [5.5, 2.5],
+    [4, 3.1],
+    [1.6, 3.3],
+    [0.3, 2.8],
+    [0.7, 1.5],
+    [1.8, 0.1],
+    [3, 0.2],
+    [4.9, 1.3],
+    [2.4, 1.7],
+  ],
   center: [3.6, 2.3],
   turn: 20,
   step: 0,
@@ -100,9 +125,22 @@ export async function later(state: State, asking: AskingLater): Promise<Late> {
     asking.verifyLater(best),
     hull <= SEARCH_LIMIT && hull > 2 ? asking.askLater(areaSearch(state.points)) : null,
     hull > 2 ? asking.askLater(pruning(state.points, PRUNED)) : null,
-    state.levels && hull <= SEARCH_LIMIT && least > 0 ? asking.askLater(levelSets(state.points, LEVELS.map((part) => part * least))) : null,
+    state.levels && hull <= SEARCH_LIMIT && least > 0
+      ? asking.askLater(
+          levelSets(
+            state.points,
+            LEVELS.map((part) => part * least),
+          ),
+        )
+      : null,
   ]);
-  return { of: state.points, verdict, search: search?.result ?? null, pruning: pruned?.result ?? null, levels: levels?.result.polygons ?? [] };
+  return {
+    of: state.points,
+    verdict,
+    search: search?.result ?? null,
+    pruning: pruned?.result ?? null,
+    levels: levels?.result.polygons ?? [],
+  };
 }
 
 /** The names of points: P with the number, from 1. */

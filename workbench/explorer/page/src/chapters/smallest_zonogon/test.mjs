@@ -3,14 +3,28 @@ import { holds, same } from "../../../tests/kit.mjs";
 
 export const id = "smallest-zonogon";
 
-const FIRST = [[5.5, 2.5], [4, 3.1], [1.6, 3.3], [0.3, 2.8], [0.7, 1.5], [1.8, 0.1], [3, 0.2], [4.9, 1.3], [2.4, 1.7]];
+const FIRST = [
+  [5.5, 2.5],
+  [4, 3.1],
+  [1.6, 3.3],
+  [0.3, 2.8],
+  [0.7, 1.5],
+  [1.8, 0.1],
+  [3, 0.2],
+  [4.9, 1.3],
+  [2.4, 1.7],
+];
 
 export async function test(opened, library) {
   const { page } = opened;
   await opened.chapter(id);
   const numbersAgree = async (points, center) => {
     same(await opened.read("least"), library.ask("answer", "min_area", { points }).area, "the least area");
-    same(await opened.read("area"), library.ask("picture", "centered_zonogon", { points, center }).area, "the area of Z(O)");
+    same(
+      await opened.read("area"),
+      library.ask("picture", "centered_zonogon", { points, center }).area,
+      "the area of Z(O)",
+    );
   };
   await numbersAgree(FIRST, [3.6, 2.3]);
   holds((await opened.read("verdict")).startsWith("right"), "the verifier agrees");

@@ -57,7 +57,10 @@ export function zonogonFigure(control: Control<State>): Figure<State, Answers> {
       const reflect = (point: Vec2): Vec2 => sub2(scale2(state.center, 2), point);
       view.fit(boxAround([...state.points, ...boundary.map((one) => one.point)]));
       const levels = answers.late?.levels ?? [];
-      view.draw("levels", state.levels ? [...levels].reverse().map((level) => view.polygon(level, { class: "level" })) : []);
+      view.draw(
+        "levels",
+        state.levels ? [...levels].reverse().map((level) => view.polygon(level, { class: "level" })) : [],
+      );
       const onBoundary = new Set(boundary.map((one, place) => edgeName(one, boundary[(place + 1) % boundary.length])));
       view.draw("lines", lineShapes(view, lines, hull, onBoundary));
       const corners = hull.map((index) => state.points[index] as Vec2);
@@ -68,10 +71,15 @@ export function zonogonFigure(control: Control<State>): Figure<State, Answers> {
       view.draw("runs", runShapes(view, boundary));
       const through = view.line(state.center, direction(state.turn), { class: "sweep dashed", "stroke-width": 1.5 });
       const marks = corners.map((corner) => view.dot(reflect(corner), 4, { class: "reflected-point" }));
-      const inner = state.points.length > HANDLE_LIMIT ? state.points.map((point) => view.dot(point, 1.6, { fill: "var(--blue)" })) : [];
+      const inner =
+        state.points.length > HANDLE_LIMIT
+          ? state.points.map((point) => view.dot(point, 1.6, { fill: "var(--blue)" }))
+          : [];
       view.draw("marks", [...(through ? [through] : []), ...inner, ...marks]);
       const named = state.points.length <= NAME_LIMIT;
-      const names = hull.map((index) => view.text(reflect(state.points[index] as Vec2), `${pointName(index)}′`, { class: "quiet" }, [7, 15]));
+      const names = hull.map((index) =>
+        view.text(reflect(state.points[index] as Vec2), `${pointName(index)}′`, { class: "quiet" }, [7, 15]),
+      );
       view.draw("names", named ? names : []);
       const movable = state.points.length > HANDLE_LIMIT ? hull : state.points.map((_, index) => index);
       const handles: PlaneHandle[] = movable.map((index) => ({
@@ -99,7 +107,12 @@ function edgeName(from: Vertex, to: Vertex | undefined): string {
   return to && from.reflected === to.reflected && !from.reflected ? `${from.source}-${to.source}` : "";
 }
 
-function lineShapes(view: PlaneView, lines: Answers["zonogon"]["lines"], hull: readonly number[], on: ReadonlySet<string>): Shape[] {
+function lineShapes(
+  view: PlaneView,
+  lines: Answers["zonogon"]["lines"],
+  hull: readonly number[],
+  on: ReadonlySet<string>,
+): Shape[] {
   return lines.flatMap(([one, other], edge) => {
     const lit = on.has(`${hull[edge]}-${hull[(edge + 1) % hull.length]}`);
     const shape = view.line(one, sub2(other, one), { class: lit ? "thin good" : "thin dashed" });

@@ -24,10 +24,12 @@ const NAME_LIMIT = 14;
 export function arrangementFigure(control: Control<State>): Figure<State, Answers> {
   let shown: Tiling | null = null;
   const light = (lit: Lit | null) => {
-    if (lit?.kind !== control.state.lit?.kind || lit?.index !== control.state.lit?.index) control.change({ ...control.state, lit });
+    if (lit?.kind !== control.state.lit?.kind || lit?.index !== control.state.lit?.index)
+      control.change({ ...control.state, lit });
   };
   const view = new PlaneView(
-    "The arrangement of lines: arrow keys to the left and right go through the crossings, up and down through the cells",
+    "The arrangement of lines: arrow keys to the left and right go through the crossings, up " +
+      "and down through the cells",
     ["cell", "lines", "sweep", "crossings", "names"],
     {
       hovered: (point) => point && shown && light(meant(view, shown, point)),
@@ -53,7 +55,9 @@ export function arrangementFigure(control: Control<State>): Figure<State, Answer
         const drawn = drawLine(view, line, { stroke: classColour(tiling, index), "stroke-width": lit ? 4.5 : 2 });
         if (drawn && tiling.classes.length <= NAME_LIMIT) {
           const { x2, y2 } = drawn.attributes;
-          names.push(view.text(view.point([Number(x2), Number(y2)]), generators.map((one) => one + 1).join(", "), {}, [-14, 4]));
+          names.push(
+            view.text(view.point([Number(x2), Number(y2)]), generators.map((one) => one + 1).join(", "), {}, [-14, 4]),
+          );
         }
         return drawn ? [drawn] : [];
       });
@@ -66,7 +70,11 @@ export function arrangementFigure(control: Control<State>): Figure<State, Answer
         tiling.tiles.map((tile, index) => {
           const lit = state.lit?.kind === "tile" && state.lit.index === index;
           const fill = mixed(tile.classes.map((one) => classColour(tiling, one)));
-          return view.dot(tile.dual, lit ? 8 : 4.5, { fill, stroke: lit ? "var(--ink)" : "var(--paper)", "stroke-width": lit ? 3 : 1 });
+          return view.dot(tile.dual, lit ? 8 : 4.5, {
+            fill,
+            stroke: lit ? "var(--ink)" : "var(--paper)",
+            "stroke-width": lit ? 3 : 1,
+          });
         }),
       );
       view.draw("names", names);
@@ -87,11 +95,18 @@ export function sweepPlace(tiling: Tiling, rank: number): number | null {
 
 function shownCrossings(tiling: Tiling): Vec2[] {
   const places = tiling.tiles.map((tile) => tile.dual);
-  if (places.length === 0) return [[-1, -1], [1, 1]];
-  const middle = (axis: 0 | 1) => places.map((place) => place[axis]).sort((one, other) => one - other)[Math.floor(places.length / 2)] ?? 0;
+  if (places.length === 0)
+    return [
+      [-1, -1],
+      [1, 1],
+    ];
+  const middle = (axis: 0 | 1) =>
+    places.map((place) => place[axis]).sort((one, other) => one - other)[Math.floor(places.length / 2)] ?? 0;
   const [x, y] = [middle(0), middle(1)];
   const far = (place: Vec2) => Math.hypot(place[0] - x, place[1] - y);
-  const near = [...places].sort((one, other) => far(one) - far(other)).slice(0, Math.max(1, Math.ceil(places.length * SHOWN_PART)));
+  const near = [...places]
+    .sort((one, other) => far(one) - far(other))
+    .slice(0, Math.max(1, Math.ceil(places.length * SHOWN_PART)));
   const radius = near.reduce((most, place) => Math.max(most, far(place)), 0) || 1;
   return [...near, [x - radius / 2, y - radius / 2], [x + radius / 2, y + radius / 2]];
 }
@@ -110,9 +125,19 @@ function isLit(tiling: Tiling, index: number, lit: Lit | null): boolean {
 
 function cell(view: PlaneView, tiling: Tiling, lit: Lit | null): Shape[] {
   if (lit?.kind !== "corner" || !tiling.vertices[lit.index]) return [];
-  const frame = [[0, 0], [view.width, 0], [view.width, view.height], [0, view.height]] as const;
-  const inside = cellSides(tiling, lit.index).reduce<Vec2[]>(clipped, frame.map((pixel) => view.point(pixel)));
-  return inside.length > 2 ? [view.polygon(inside, { fill: "var(--fill-green)", stroke: "var(--ink)", "stroke-width": 2 })] : [];
+  const frame = [
+    [0, 0],
+    [view.width, 0],
+    [view.width, view.height],
+    [0, view.height],
+  ] as const;
+  const inside = cellSides(tiling, lit.index).reduce<Vec2[]>(
+    clipped,
+    frame.map((pixel) => view.point(pixel)),
+  );
+  return inside.length > 2
+    ? [view.polygon(inside, { fill: "var(--fill-green)", stroke: "var(--ink)", "stroke-width": 2 })]
+    : [];
 }
 
 function meant(view: PlaneView, tiling: Tiling, point: Vec2): Lit | null {

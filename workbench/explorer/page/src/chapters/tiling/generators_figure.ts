@@ -21,7 +21,11 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
     const next: Vec3 = [Number(Math.cos(2.4 * count).toFixed(2)), Number(Math.sin(2.4 * count).toFixed(2)), 0.7];
     control.commit({ ...state, generators: [...state.generators, next] });
   });
-  const head = html("tr", {}, ...["Generator", ...AXES, ""].map((name) => html("th", { scope: "col" }, name)));
+  const head = html(
+    "tr",
+    {},
+    ...["vᵢ", ...AXES, ""].map((name) => (name ? html("th", { scope: "col" }, name) : html("td"))),
+  );
   const table = html("table", { class: "generators" }, html("thead", {}, head), body);
   let rows: HTMLInputElement[][] = [];
 
@@ -41,10 +45,14 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
     );
     body.replaceChildren(
       ...rows.map((fields, index) => {
-        const remove = button("×", () => {
-          const { state } = control;
-          control.commit({ ...state, lit: null, generators: state.generators.filter((_, at) => at !== index) });
-        }, { "aria-label": `Delete generator ${index + 1}` });
+        const remove = button(
+          "×",
+          () => {
+            const { state } = control;
+            control.commit({ ...state, lit: null, generators: state.generators.filter((_, at) => at !== index) });
+          },
+          { "aria-label": `Delete generator ${index + 1}` },
+        );
         const swatch = html("span", { class: "swatch", style: `background:${zoneColour(index)}` });
         const cells = fields.map((field) => html("td", {}, field));
         return html("tr", {}, html("th", { scope: "row" }, swatch, ` ${index + 1}`), ...cells, html("td", {}, remove));

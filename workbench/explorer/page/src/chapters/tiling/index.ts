@@ -27,7 +27,13 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
   questions,
   later,
   exercises,
-  figures: { space: spaceFigure, generators: generatorsFigure, tiling: tilingFigure, arrangement: arrangementFigure, sweep: sweepFigure },
+  figures: {
+    space: spaceFigure,
+    generators: generatorsFigure,
+    tiling: tilingFigure,
+    arrangement: arrangementFigure,
+    sweep: sweepFigure,
+  },
   reads: {
     count: (state) => state.generators.length,
     vertices: (_, { counted }) => counted?.vertices ?? "…",
@@ -51,13 +57,48 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
   },
   actions: {},
   slides: [
-    { figure: "space", title: "Five vectors, one body", words: "Every pair of generators spans a facet above and a facet below.", make: () => ({ ...first(), lit: null }) },
-    { figure: "tiling", title: "Seen from above", words: "The upper facets tile a polygon.", make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }) },
-    { figure: "arrangement", title: "The same as lines", words: "Each tile is a crossing of two lines.", make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }) },
-    { figure: "tiling", title: "A separator", words: "Four tiles lie on the left of the path.", make: () => ({ ...first(), lit: null }) },
-    { figure: "arrangement", title: "Its vertical line", words: "Four crossings lie on the left of the line.", make: () => ({ ...first(), lit: null }) },
-    { figure: "space", title: "Special positions", words: "Three generators in a plane make a hexagon: the truncated octahedron.", make: () => ({ generators: TRUNCATED, sweep: 2, lit: null }) },
-    { figure: "tiling", title: "A polar zonohedron", words: "Generators around an axis, all with the same slope.", make: () => ({ generators: polar(9, 0.7), sweep: 12, lit: null }) },
+    {
+      figure: "space",
+      title: "Five vectors, one body",
+      words: "Every pair of generators spans a facet above and a facet below.",
+      make: () => ({ ...first(), lit: null }),
+    },
+    {
+      figure: "tiling",
+      title: "Seen from above",
+      words: "The upper facets tile a polygon.",
+      make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }),
+    },
+    {
+      figure: "arrangement",
+      title: "The same as lines",
+      words: "Each tile is a crossing of two lines.",
+      make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }),
+    },
+    {
+      figure: "tiling",
+      title: "A separator",
+      words: "Four tiles lie on the left of the path.",
+      make: () => ({ ...first(), lit: null }),
+    },
+    {
+      figure: "arrangement",
+      title: "Its vertical line",
+      words: "Four crossings lie on the left of the line.",
+      make: () => ({ ...first(), lit: null }),
+    },
+    {
+      figure: "space",
+      title: "Special positions",
+      words: "Three generators in a plane make a hexagon: the truncated octahedron.",
+      make: () => ({ generators: TRUNCATED, sweep: 2, lit: null }),
+    },
+    {
+      figure: "tiling",
+      title: "A polar zonohedron",
+      words: "Generators around an axis, all with the same slope.",
+      make: () => ({ generators: polar(9, 0.7), sweep: 12, lit: null }),
+    },
   ],
   takeaways: (state) => {
     const line = lineOf(count(state.generators));
@@ -100,8 +141,15 @@ function degenerate(state: State, { tiling }: Answers): string {
     if (!line) sentences.push(`Generator ${name(generators)} is vertical: it has no line.`);
   }
   const large = tiling.tiles.filter((tile) => tile.classes.length > 2).length;
-  if (large > 0) sentences.push(`${large === 1 ? "One tile has" : `${large} tiles have`} more than four sides, because three or more generators lie in one plane.`);
-  if (sentences.length === 0) return state.generators.length > 2 ? "These generators are in general position, as far as the view from above shows." : "";
+  if (large > 0)
+    sentences.push(
+      `${large === 1 ? "One tile has" : `${large} tiles have`} more than four sides, because ` +
+        "three or more generators lie in one plane.",
+    );
+  if (sentences.length === 0)
+    return state.generators.length > 2
+      ? "These generators are in general position, as far as the view from above shows."
+      : "";
   return `Here there are fewer tiles, for these generators are in special position. ${sentences.join(" ")}`;
 }
 
@@ -114,7 +162,12 @@ function sweepFigure(control: Control<State>): Figure<State, Answers> {
       if (!tiling) return stepper.draw(0, 1, "The tiling is being computed …");
       const rank = Math.min(state.sweep, tiling.tiles.length);
       const steps = separator(tiling, rank).length - 1;
-      stepper.draw(rank, tiling.tiles.length + 1, `${rank} tiles on the left of the separator, ${tiling.tiles.length - rank} on its right; it has ${steps} steps.`);
+      stepper.draw(
+        rank,
+        tiling.tiles.length + 1,
+        `${rank} tiles on the left of the separator, ${tiling.tiles.length - rank} on its right; ` +
+          `it has ${steps} steps.`,
+      );
     },
   };
 }

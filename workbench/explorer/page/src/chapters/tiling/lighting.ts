@@ -35,16 +35,29 @@ export function litSentence(tiling: Tiling | null, lit: Lit | null): string {
   const ofClass = (index: number) => listed(tiling.classes[index]?.generators ?? []);
   if (lit.kind === "class") {
     const tiles = tiling.tiles.filter((tile) => tile.classes.includes(lit.index)).length;
-    return `Line and zone of generator ${ofClass(lit.index)}: the line has ${tiles} crossings, the upper half of the zone ${tiles} facets.`;
+    return (
+      `Line and zone of generator ${ofClass(lit.index)}: the line has ${tiles} crossings, the ` +
+      `upper half of the zone ${tiles} facets.`
+    );
   }
   if (lit.kind === "corner") {
     const tiles = tiling.tiles.filter((tile) => tile.left.includes(lit.index) || tile.right.includes(lit.index)).length;
     const sides = tiling.edges.filter((edge) => edge.ends.includes(lit.index)).length;
-    return `Corner ${lit.index + 1}: ${sides} edges and ${tiles} tiles meet in it, so its cell has ${sides} sides and ${tiles} corners.`;
+    return (
+      `Corner ${lit.index + 1}: ${sides} edges and ${tiles} tiles meet in it, so its cell has ` +
+      `${sides} sides and ${tiles} corners.`
+    );
   }
   const tile = tiling.tiles[lit.index];
   if (!tile) return "";
   const generators = tile.classes.map(ofClass);
-  const shape = tile.classes.length > 2 ? `These ${tile.classes.length} lie in one plane, so their lines meet in one point and the tile has ${2 * tile.classes.length} sides.` : "";
-  return `Tile ${lit.index + 1} of generators ${generators.join(", ")} is the crossing of their lines, and one facet. ${shape}`;
+  const shape =
+    tile.classes.length > 2
+      ? `These ${tile.classes.length} lie in one plane, so their lines meet in one point and the ` +
+        `tile has ${2 * tile.classes.length} sides.`
+      : "";
+  return (
+    `Tile ${lit.index + 1} of generators ${generators.join(", ")} is the crossing of their ` +
+    `lines, and one facet. ${shape}`
+  );
 }

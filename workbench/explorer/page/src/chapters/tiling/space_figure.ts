@@ -28,7 +28,12 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
         const generators = state.generators.map((one, index) => (String(index) === id ? tidy3(place) : one));
         (finished ? control.commit : control.change)({ ...state, generators });
       },
-      removed: (id) => control.commit({ ...control.state, lit: null, generators: control.state.generators.filter((_, index) => String(index) !== id) }),
+      removed: (id) =>
+        control.commit({
+          ...control.state,
+          lit: null,
+          generators: control.state.generators.filter((_, index) => String(index) !== id),
+        }),
       hovered: (hit) => {
         if (!hit || !shown?.tiling) return;
         const tile = tileOfFacet(shown.tiling, hit.facet);
@@ -52,17 +57,28 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
       const lines: { points: readonly Vec3[]; look: string }[] = [];
       if (faces) {
         const lit = new Set([...(tiling ? litTiles(tiling, state.lit) : [])].map((tile) => tiling?.tiles[tile]?.facet));
-        const colours = faces.facet_zones.map((zones, facet) => (lit.has(facet) ? LIT : mixed(zones.map((zone) => facetColours(faces, zone)))));
+        const colours = faces.facet_zones.map((zones, facet) =>
+          lit.has(facet) ? LIT : mixed(zones.map((zone) => facetColours(faces, zone))),
+        );
         const edges = faces.edges.map((edge) => edge.ends);
-        solid.draw({ vertices: faces.vertices, facets: faces.facets, edges }, { facets: colours, opacity: 1, edge: "#20242a" });
+        solid.draw(
+          { vertices: faces.vertices, facets: faces.facets, edges },
+          { facets: colours, opacity: 1, edge: "#20242a" },
+        );
         view.fit([...faces.vertices, ...state.generators]);
-        if (tiling) lines.push({ points: separator(tiling, state.sweep).map((corner) => tiling.vertices[corner] as Vec3), look: "sweep" });
+        if (tiling)
+          lines.push({
+            points: separator(tiling, state.sweep).map((corner) => tiling.vertices[corner] as Vec3),
+            look: "sweep",
+          });
       }
       const named = state.generators.length <= HANDLE_LIMIT;
       const tips = named ? state.generators : [];
       lines.push(...tips.map((tip) => ({ points: [[0, 0, 0] as Vec3, tip], look: "thin dashed" })));
-      const vertex = faces && tiling && state.lit?.kind === "corner" ? vertexOfCorner(faces, tiling, state.lit.index) : null;
-      const names = vertex !== null && faces ? [{ at: add3(faces.vertices[vertex] as Vec3, [0, 0, 0]), text: "●" }] : [];
+      const vertex =
+        faces && tiling && state.lit?.kind === "corner" ? vertexOfCorner(faces, tiling, state.lit.index) : null;
+      const names =
+        vertex !== null && faces ? [{ at: add3(faces.vertices[vertex] as Vec3, [0, 0, 0]), text: "●" }] : [];
       view.draw(
         tips.map((tip, index) => ({
           id: String(index),

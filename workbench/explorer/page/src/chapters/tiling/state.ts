@@ -42,7 +42,13 @@ const FACES_AT_ONCE = 60;
 export const MOST_GENERATORS = 80;
 
 export const first = (): State => ({
-  generators: [[1, 0.1, 0.8], [0.35, 1, 0.7], [-0.8, 0.65, 0.75], [-0.85, -0.6, 0.65], [0.3, -0.95, 0.85]],
+  generators: [
+    [1, 0.1, 0.8],
+    [0.35, 1, 0.7],
+    [-0.8, 0.65, 0.75],
+    [-0.85, -0.6, 0.65],
+    [0.3, -0.95, 0.85],
+  ],
   sweep: 4,
   lit: { kind: "tile", index: 3 },
 });

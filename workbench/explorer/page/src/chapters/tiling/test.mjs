@@ -18,7 +18,16 @@ export async function test(opened, library) {
   await page.locator("#tiling-sweep .stepper button").last().click();
   await opened.rest();
   await expected((await opened.state()).generators);
-  for (const name of ["Cube", "Rhombic dodecahedron", "Truncated octahedron", "Polar zonohedron of 7", "Three in a plane", "All in one plane", "One generator", "Parallel generators"]) {
+  for (const name of [
+    "Cube",
+    "Rhombic dodecahedron",
+    "Truncated octahedron",
+    "Polar zonohedron of 7",
+    "Three in a plane",
+    "All in one plane",
+    "One generator",
+    "Parallel generators",
+  ]) {
     await opened.preset(name);
     await expected((await opened.state()).generators);
   }
@@ -32,13 +41,20 @@ export async function test(opened, library) {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForTimeout(200);
   holds((await tile.getAttribute("class")).includes("lit"), "the tile is lit up");
-  same(await page.locator("#tiling-arrangement .crossings circle").nth(5).getAttribute("r"), "8", "the radius of the crossing that is lit up");
+  same(
+    await page.locator("#tiling-arrangement .crossings circle").nth(5).getAttribute("r"),
+    "8",
+    "the radius of the crossing that is lit up",
+  );
 
   // Keys go from tile to tile.
   await page.locator("#tiling-tiling svg").focus();
   await page.keyboard.press("ArrowRight");
   await page.waitForTimeout(200);
-  holds((await page.locator("#tiling-tiling .tile").nth(6).getAttribute("class")).includes("lit"), "the key lights up the next tile");
+  holds(
+    (await page.locator("#tiling-tiling .tile").nth(6).getAttribute("class")).includes("lit"),
+    "the key lights up the next tile",
+  );
 
   // A generator is pulled in space, and by keys.
   await opened.preset("Five generators");

@@ -16,7 +16,8 @@ const CORNER_REACH = 9;
 export function tilingFigure(control: Control<State>): Figure<State, Answers> {
   let shown: Tiling | null = null;
   const light = (lit: Lit | null) => {
-    if (lit?.kind !== control.state.lit?.kind || lit?.index !== control.state.lit?.index) control.change({ ...control.state, lit });
+    if (lit?.kind !== control.state.lit?.kind || lit?.index !== control.state.lit?.index)
+      control.change({ ...control.state, lit });
   };
   const view = new PlaneView(
     "The tiling: arrow keys to the left and right go through the tiles, up and down through the corners",
@@ -37,18 +38,41 @@ export function tilingFigure(control: Control<State>): Figure<State, Answers> {
         return;
       }
       const flat = tiling.vertices.map(([x, y]): Vec2 => [x, y]);
-      view.fit(boxAround(flat.length > 0 ? flat : [[-1, -1], [1, 1]]));
+      view.fit(
+        boxAround(
+          flat.length > 0
+            ? flat
+            : [
+                [-1, -1],
+                [1, 1],
+              ],
+        ),
+      );
       const lit = litTiles(tiling, state.lit);
       const tiles = tiling.tiles.map((tile, index) =>
-        view.polygon(outline(tile).map((corner) => flat[corner] as Vec2), {
-          class: lit.has(index) ? "tile lit" : "tile",
-          fill: mixed(tile.classes.map((one) => classColour(tiling, one))),
-          "data-tile": index,
-        }),
+        view.polygon(
+          outline(tile).map((corner) => flat[corner] as Vec2),
+          {
+            class: lit.has(index) ? "tile lit" : "tile",
+            fill: mixed(tile.classes.map((one) => classColour(tiling, one))),
+            "data-tile": index,
+          },
+        ),
       );
       view.draw("tiles", tiles);
-      const lone = tiling.tiles.length === 0 ? tiling.edges : tiling.edges.filter((edge) => state.lit?.kind === "class" && edge.class === state.lit.index);
-      view.draw("edges", lone.map(({ ends, class: one }) => view.path(ends.map((end) => flat[end] as Vec2), { stroke: classColour(tiling, one), "stroke-width": 4 })));
+      const lone =
+        tiling.tiles.length === 0
+          ? tiling.edges
+          : tiling.edges.filter((edge) => state.lit?.kind === "class" && edge.class === state.lit.index);
+      view.draw(
+        "edges",
+        lone.map(({ ends, class: one }) =>
+          view.path(
+            ends.map((end) => flat[end] as Vec2),
+            { stroke: classColour(tiling, one), "stroke-width": 4 },
+          ),
+        ),
+      );
       const chain = separator(tiling, state.sweep).map((corner) => flat[corner] as Vec2);
       view.draw("chain", [view.path(chain, { class: "sweep" })]);
       const corner = state.lit?.kind === "corner" ? flat[state.lit.index] : undefined;
@@ -68,7 +92,10 @@ function meant(view: PlaneView, tiling: Tiling, point: Vec2): Lit | null {
     const places = outline(one).map((index) => tiling.vertices[index] as readonly number[]);
     const turns = places.map((from, at) => {
       const to = places[(at + 1) % places.length] as readonly number[];
-      return ((to[0] ?? 0) - (from[0] ?? 0)) * (point[1] - (from[1] ?? 0)) - ((to[1] ?? 0) - (from[1] ?? 0)) * (point[0] - (from[0] ?? 0));
+      return (
+        ((to[0] ?? 0) - (from[0] ?? 0)) * (point[1] - (from[1] ?? 0)) -
+        ((to[1] ?? 0) - (from[1] ?? 0)) * (point[0] - (from[0] ?? 0))
+      );
     });
     return turns.every((turn) => turn >= 0) || turns.every((turn) => turn <= 0);
   });
