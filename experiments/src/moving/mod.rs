@@ -16,8 +16,8 @@ use crate::definition::Verdict;
 /// Equal parts of the time at whose ends the distance is asked for before it is refined.
 const SAMPLES: u32 = 96;
 
-/// The lowest samples around which the distance is refined.
-const REFINED: usize = 4;
+/// The samples lower than their neighbours around which the distance is refined, from the lowest on.
+const REFINED: usize = 6;
 
 /// Halvings of the time between samples around each of them.
 const HALVINGS: u32 = 16;
@@ -78,9 +78,9 @@ impl MovingBodies {
             if beyond <= CLEARANCE_EXCESS * clearance {
                 return Self::of(&pair.moved_aside(high));
             }
+            // as near as the distance allows, and at least to the middle
             let middle = low + (high - low) / 2.0;
-            let next = (high - beyond - 0.5 * CLEARANCE_EXCESS * clearance).min(middle).max(low);
-            // first twice as far as the distance allows, then no farther than the middle
+            let next = (high - beyond + 0.5 * CLEARANCE_EXCESS * clearance).min(middle).max(low);
             let found = distance(next)? - clearance;
             if found < 0.0 { low = next } else { (high, beyond) = (next, found) }
         }
@@ -122,8 +122,11 @@ impl MovingBodies {
             }
             samples.push((distance, time));
         }
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let refined = samples.iter().take(REFINED).map(|&sample| self.refined(sample, step));
+        let at = |i: usize| samples.get(i).map_or(f64::INFINITY, |sample| sample.0);
+        let is_low = |&i: &usize| at(i) <= at(i + 1) && (i == 0 || at(i) <= at(i - 1));
+        let mut lows: Vec<(f64, f64)> = (0..samples.len()).filter(is_low).map(|i| samples[i]).collect();
+        lows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let refined = lows.iter().take(REFINED).map(|&sample| self.refined(sample, step));
         refined.fold(f64::INFINITY, f64::min)
     }
 

