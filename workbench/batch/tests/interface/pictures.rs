@@ -36,14 +36,12 @@ fn bodies() -> Vec<Vec<[f64; 3]>> {
 fn pictures_of_points_agree_with_the_zonogon_of_least_area() {
     let best = solved("min_area", &json!({"points": EGG}));
     let at_best = drawn("centered_zonogon", &json!({"points": EGG, "center": best["center"]}));
-    assert_eq!(at_best["area"], best["area"]);
+    let [at, least] = [&at_best["area"], &best["area"]].map(|area| area.as_f64().expect("a number"));
+    assert!((at - least).abs() <= 1e-14 * least, "the answer is rounded outward: {at} and {least}");
     assert_eq!(at_best["hull"], best["certificate"]["hull"]);
-    assert_eq!(
-        at_best["boundary"].as_array().map(Vec::len),
-        Some(2 * best["generators"].as_array().map_or(0, Vec::len))
-    );
     let zonogon = drawn("zonogon", &json!({"center": best["center"], "generators": best["generators"]}));
-    assert_eq!(zonogon["vertices"].as_array().map(Vec::len), at_best["boundary"].as_array().map(Vec::len));
+    let generators = best["generators"].as_array().map_or(0, Vec::len);
+    assert_eq!(zonogon["vertices"].as_array().map(Vec::len), Some(2 * generators));
 
     let search = drawn("search_of_theorem_4_5", &json!({"points": EGG}));
     let steps = search["steps"].as_array().expect("steps");
@@ -51,7 +49,7 @@ fn pictures_of_points_agree_with_the_zonogon_of_least_area() {
     let last = steps.last().expect("a step");
     assert_eq!((&last["side"], last["left"].as_u64()), (&json!("optimal"), Some(0)));
     let at_minimum = drawn("centered_zonogon", &json!({"points": EGG, "center": last["minimum"]}));
-    let [found, least] = [&at_minimum["area"], &best["area"]].map(|area| area.as_f64().expect("a number"));
+    let found = at_minimum["area"].as_f64().expect("a number");
     assert!((found - least).abs() <= 1e-12 * least);
 
     let along = drawn("area_along", &json!({"points": EGG, "from": [0, 0], "to": best["center"]}));

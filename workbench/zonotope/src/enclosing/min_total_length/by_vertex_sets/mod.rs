@@ -151,7 +151,7 @@ fn around_outer<const D: usize>(
             conclude(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
-            let mut work = Work::around(points.len());
+            let mut work = Work::none();
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             // Pairs of doubles help where rounding ended the search, not where its work was used up.
             if answer.proof.outcome == Outcome::WithinEpsilon || work.is_used_up(frame.rank()) {

@@ -4,8 +4,9 @@
 //! machine. A unit is about a multiplication and an addition of a loop over doubles, of which a processor does some
 //! 10^10 in a second.
 
-/// Limit of the work around up to [`FEWEST_POINTS`] points, which takes some half a second.
-const LIMIT: u64 = 3_000_000_000;
+/// Limit of the work of a search, which takes some two seconds. A quarter of it would leave the ratio around 200 points
+/// of a sphere above one part in a thousand.
+const LIMIT: u64 = 12_000_000_000;
 
 /// The work of a program along a net to which a unit of set generation is equal: it computes roots and sorts, too.
 const NET_UNITS: f64 = 2.0;
@@ -31,9 +32,9 @@ pub(super) struct Work {
 }
 
 impl Work {
-    /// No work yet, around so many points.
-    pub(super) fn around(points: usize) -> Self {
-        Self { on_sets: 0.0, on_nets: 0, limit: limit_around(points, LIMIT) }
+    /// No work yet.
+    pub(super) fn none() -> Self {
+        Self { on_sets: 0.0, on_nets: 0, limit: LIMIT }
     }
 
     /// Whether set generation has used up its work in so many dimensions.
@@ -108,10 +109,14 @@ mod tests {
 
     #[test]
     fn limits_grow_with_the_points_beyond_a_thousand() {
-        let limit = |points: usize| Work::around(points).left_for_nets();
-        assert_eq!([0, 10, 1000].map(limit), [LIMIT; 3]);
-        assert_eq!([2000, 200_000].map(limit), [4 * LIMIT; 2]);
-        let mut work = Work::around(10);
+        let limit = |points: usize| limit_around(points, 1 << 30);
+        assert_eq!(limit(0), limit(1000));
+        assert_eq!([2000, 200_000].map(limit), [4 * limit(10); 2]);
+    }
+
+    #[test]
+    fn sets_in_space_leave_work_for_nets() {
+        let mut work = Work::none();
         work.on_sets = 0.45 * LIMIT as f64;
         assert!(work.is_used_up(3) && !work.is_used_up(4) && work.left_for_nets() > 0);
         work.add_on_nets(work.left_for_nets() + 1);
