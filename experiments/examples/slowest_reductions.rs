@@ -53,6 +53,10 @@ const FAMILIES: [&str; 11] = [
 /// The bounds differ by at most this part of the lower one, where the search for them allows it.
 const WIDTH: f64 = 0.01;
 
+/// The most generators of both bodies that a location takes in five and in six dimensions, where every facet is looked
+/// at: those that `solve` takes.
+const LOCATED_IN_HIGH_DIMENSIONS: [usize; 2] = [18, 14];
+
 /// Milliseconds up to which the clock tells the time.
 const CLOCK_LIMIT: f64 = 20.0;
 
@@ -106,7 +110,7 @@ fn ask(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
 }
 
 fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
-    let size = *one_of(&SIZES, source);
+    let size = (*one_of(&SIZES, source)).min(most_located::<D>(kind));
     let vectors: Vec<[f64; D]> = generators(family, size, source);
     if kind.starts_with("min_") {
         return ask_around(kind, family, &vectors, source);
@@ -134,7 +138,7 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
             })
         }
         "hausdorff" | "contains" | "intersection" => {
-            let (other, text) = other_body(family, &body, source);
+            let (other, text) = other_body(kind, family, &body, source);
             let text = format!("{text}, R^{D}, {size} and {} generators", other.generators().len());
             match kind {
                 "intersection" => timed(text, || Some(f64::from(body.intersects(&other)))),
@@ -155,6 +159,16 @@ fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -
                 patches_within(&body, epsilon, &mut ()).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
             })
         }
+    }
+}
+
+/// The most generators of a body of a location.
+fn most_located<const D: usize>(kind: &str) -> usize {
+    let in_all = D.checked_sub(5).map_or(usize::MAX, |place| LOCATED_IN_HIGH_DIMENSIONS[place]);
+    match kind {
+        "locate" | "gauge" => in_all,
+        "intersection" => in_all / 2,
+        _ => usize::MAX,
     }
 }
 
@@ -208,13 +222,14 @@ fn processor_time() -> Option<f64> {
 
 /// A body to compare with: another of the family, one that is off by rounding, moved, or a part.
 fn other_body<const D: usize>(
+    kind: &str,
     family: &str,
     body: &Zonotope<D>,
     source: &mut RandomSource,
 ) -> (Zonotope<D>, &'static str) {
     let mut center = [0.0; D];
     let (list, text) = match whole(source, 0, 4) {
-        0 => (generators(family, *one_of(&SIZES, source), source), "another body"),
+        0 => (generators(family, (*one_of(&SIZES, source)).min(most_located::<D>(kind)), source), "another body"),
         1 => (body.generators().iter().map(|g| g.map(f64::next_up)).collect(), "an ulp apart"),
         2 => (body.generators().iter().map(|g| g.map(|c| c * 1.0f64.next_down())).collect(), "scaled by an ulp"),
         3 => (body.generators()[..body.generators().len().min(5)].to_vec(), "a few of the generators"),

@@ -112,6 +112,8 @@ pub struct Experiment {
     /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each,
     /// of their own size.
     pub real_inputs: &'static [&'static str],
+    /// The reason why points of a reader's file are no input of the experiment; none if they are one.
+    pub refuses: fn(&Cloud) -> Option<&'static str>,
     /// Sizes of the instances.
     pub sizes: PerProfile<&'static [usize]>,
     /// Instances of every family and size, with different seeds.
@@ -137,6 +139,7 @@ impl Experiment {
         claims: &[],
         families: &[],
         real_inputs: &[],
+        refuses: |_| None,
         sizes: PerProfile::both(&[]),
         instances: PerProfile::both(1),
         variants: &[],

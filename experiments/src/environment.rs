@@ -13,7 +13,7 @@ pub const REVISION_VARIABLE: &str = "ZONOBENCH_REVISION";
 pub struct Environment {
     /// The version of this package.
     pub version: String,
-    /// Source revision, with `-dirty` for a changed tree; `unknown` without a repository.
+    /// Source revision at the time of the run, with `-dirty` for a changed tree; `unknown` without a repository.
     pub revision: String,
     /// The compiler with its version.
     pub toolchain: String,
@@ -44,9 +44,10 @@ impl Environment {
         }
     }
 
-    /// A short name by which the rows of times refer to the environment.
+    /// A short name by which the rows of times refer to the environment: of the program and the machine. The revision
+    /// has no part in it, since it is that of the source when the program ran, and may be another one than was built.
     pub fn id(&self) -> String {
-        let text = format!("{self:?}");
+        let text = format!("{:?}", Self { revision: String::new(), ..self.clone() });
         format!("{:016x}", Digest::default().bytes(text.as_bytes()).finish())
     }
 }
@@ -80,4 +81,22 @@ fn cpu_model() -> String {
             Some(line.split_once(':')?.1.trim().to_owned())
         })
         .unwrap_or_else(|| "unknown".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_name_is_that_of_the_program_and_the_machine() {
+        let here = Environment::current();
+        let renamed = |change: fn(&mut Environment)| {
+            let mut other = here.clone();
+            change(&mut other);
+            other.id() != here.id()
+        };
+        assert!(!renamed(|other| other.revision.push_str("-dirty")));
+        assert!(renamed(|other| other.program.push('0')));
+        assert!(renamed(|other| other.cpu.push('0')));
+    }
 }

@@ -171,7 +171,7 @@ fn polygon(points: &[[f64; 2]]) -> Result<Polygon, OwnDataError> {
     if polygon.vertices().len() < 3 { Err(OwnDataError::NoArea) } else { Ok(polygon) }
 }
 
-fn check_size(coordinates: &[f64]) -> Result<(), OwnDataError> {
+pub(crate) fn check_size(coordinates: &[f64]) -> Result<(), OwnDataError> {
     let largest = coordinates.iter().fold(0.0f64, |largest, c| largest.max(c.abs()));
     if largest == 0.0 || SIZES.contains(&largest) { Ok(()) } else { Err(OwnDataError::OutOfRange) }
 }

@@ -115,6 +115,7 @@ pub static CLAIMS: &[&Claim] = &[
     &corrections::ties::CLAIM,
     &corrections::flat_and_ambiguous::CLAIM,
     &corrections::extreme_points_off_span::CLAIM,
+    &corrections::axis_sum::CLAIM,
     &corrections::loose_containment::CLAIM,
     &corrections::total_length::CLAIM,
     &corrections::exact_difference::CLAIM,

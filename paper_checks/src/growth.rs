@@ -29,6 +29,14 @@ pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthM
     }
 }
 
+/// A verdict on a statement of which a part was not tried: what held is no more than that part of it.
+pub(crate) fn but_for(verdict: Verdict, not_tried: &str) -> Verdict {
+    match verdict {
+        Verdict::Holds(evidence) => Verdict::InPart(format!("{evidence}; not tried: {not_tried}")),
+        other => other,
+    }
+}
+
 /// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth that
 /// is not shown to keep the bound, here or in the experiments on the methods that it is about, leaves it open. What the
 /// experiments say of other methods is told beside it.

@@ -16,6 +16,15 @@ pub struct ClaimResult {
 }
 
 impl ClaimResult {
+    /// The word before the remedy: a correction says what holds instead, beside a statement that holds stands a remark.
+    pub fn remedy_word(&self) -> &'static str {
+        match self.claim.kind {
+            ClaimKind::Note => "Note",
+            ClaimKind::Correction(_) => "Instead",
+            _ => "Remark",
+        }
+    }
+
     /// The finding.
     pub fn finding(&self) -> Finding {
         Finding::of(self.claim, self.verdict.as_ref())
@@ -82,8 +91,16 @@ fn tally(results: &[ClaimResult]) -> String {
     format!("{} claims:\n{}", results.len(), lines.join(",\n"))
 }
 
-/// The ledger as Markdown: claim, place, evidence, finding.
-pub fn markdown(results: &[ClaimResult]) -> String {
+/// The last sentence of the preface of the committed ledger.
+pub const COMMITTED: &str =
+    "This file has what the checks alone find: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.";
+
+/// The last sentence of the preface of a ledger that a run writes.
+pub const OF_A_RUN: &str =
+    "`zonobench reproduce` wrote this file: to what the checks find it adds what the experiments of the run measured.";
+
+/// The ledger as Markdown: claim, place, evidence, finding. The `origin` is the sentence that says who wrote it.
+pub fn markdown(results: &[ClaimResult], origin: &str) -> String {
     let mut page = String::from(
         "# Claims\n\n\
          Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003) that can be true or false,\n\
@@ -93,10 +110,10 @@ pub fn markdown(results: &[ClaimResult]) -> String {
     for finding in Finding::ALL {
         page.push_str(&format!("- *{}*: the claim {}.\n", finding.words(), finding.meaning()));
     }
-    page.push_str(
-        "\nA correction or note says what to read instead. The file is generated: \
-         `ZONOTOPE_BLESS=1 cargo test -p paper_checks`\nrewrites it.\n\n",
-    );
+    page.push_str(&format!(
+        "\nA correction or note says what to read instead, and is counted beside the statement that it is about; a \
+         remark on a\nstatement that holds says what more there is to know. {origin}\n\n"
+    ));
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");
     };
@@ -126,8 +143,7 @@ fn evidence_cell(result: &ClaimResult) -> String {
         parts.push(cell(&evidence));
     }
     if let Some(remedy) = claim.remedy {
-        let word = if claim.kind == ClaimKind::Note { "Note" } else { "Instead" };
-        parts.push(format!("*{word}:* {}", cell(remedy)));
+        parts.push(format!("*{}:* {}", result.remedy_word(), cell(remedy)));
     }
     let experiments = claim.experiments();
     for (title, names) in [("Code", claim.code), ("Experiments", &experiments), ("Figures", claim.figures)] {

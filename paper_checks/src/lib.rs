@@ -29,4 +29,4 @@ mod proofs;
 
 pub use claim::{Check, CheckContext, Claim, ClaimKind, Correction, Measurement, Place, Tried, Verdict};
 pub use finding::Finding;
-pub use ledger::{ClaimResult, markdown, run, text, verdict};
+pub use ledger::{COMMITTED, ClaimResult, OF_A_RUN, markdown, run, text, verdict};

@@ -45,7 +45,7 @@ impl Source {
 
 /// The files below `folder` (from the workspace's folder) whose names end in one of `endings`, in order of path.
 ///
-/// Build output, version control and whatever `.gitignore` would hide at the top are left out.
+/// Build output, version control and what others wrote are left out.
 pub fn files(folder: &str, endings: &[&str]) -> Vec<Source> {
     let mut found = Vec::new();
     collect(&root(), &root().join(folder), endings, &mut found);
@@ -53,13 +53,16 @@ pub fn files(folder: &str, endings: &[&str]) -> Vec<Source> {
     found
 }
 
+/// The folders whose files are no sources.
+const LEFT_OUT: [&str; 5] = [".git", "target", "proptest-regressions", "node_modules", "dist"];
+
 fn collect(root: &Path, folder: &Path, endings: &[&str], found: &mut Vec<Source>) {
     let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     for entry in entries {
         let path = entry.expect("a listed file exists").path();
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         if path.is_dir() {
-            if name != ".git" && name != "target" && name != "proptest-regressions" {
+            if !LEFT_OUT.contains(&name) {
                 collect(root, &path, endings, found);
             }
         } else if endings.iter().any(|ending| name.ends_with(ending)) {

@@ -21,7 +21,7 @@ fn tree(value: &Value) -> Tree {
 /// of magnitude leave a gap to the lower bound.
 const OPEN: [&str; 3] = [
     "it may not be the least",
-    "which is above 1 + epsilon, as the answer says",
+    "the precision is not reached, as the answer says",
     "than rounding the centre to doubles explains",
 ];
 

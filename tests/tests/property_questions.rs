@@ -133,10 +133,46 @@ fn structures_agree(count: usize, numbers: &[f64]) -> Result<(), TestCaseError> 
         (check(&tree(&question), &tree(&answer)), answer)
     };
     let (_, plain) = asked("by_lad");
-    for method in ["by_direction_tree", "by_cutting"] {
+    for method in ["by_direction_tree", "by_cutting", "by_facets"] {
         let (verdict, answer) = asked(method);
         prop_assert!(verdict.is_right() || answer.get("error").is_some(), "{method}: {verdict:?}: {answer}");
         prop_assert_eq!(&answer["result"]["status"], &plain["result"]["status"], "{} {}", method, answer);
+    }
+    Ok(())
+}
+
+/// Every method for moving bodies has an answer that verifies, and none says that bodies meet which another one proves
+/// to be separate.
+fn methods_for_motion_agree(kinds: [usize; 2], count: usize, numbers: &[f64]) -> Result<(), TestCaseError> {
+    let mut n = numbers.iter().rev().copied().cycle();
+    let mut moving = input("collide", 3, count, numbers);
+    moving["motion"] = json!({});
+    for (name, kind) in ["a", "b"].into_iter().zip(kinds) {
+        let stated = motions(&mut n);
+        let still = json!([1, 0, 0, 0]);
+        let motion = match kind {
+            0 => continue,
+            1 => stated["a"].clone(),
+            2 => stated["b"].clone(),
+            _ => json!({"pieces": [{"until": 1, "from": still, "to": still, "axis_point": [0, 0, 0],
+                "translation": stated["a"]["translation"]}]}),
+        };
+        moving["motion"][name] = motion;
+    }
+    for (kind, input) in [("collide", moving), ("sweep", input("sweep", 3, count, numbers))] {
+        let known = KINDS.iter().find(|known| known.name == kind).expect("a kind");
+        let mut cases = Vec::new();
+        for method in (known.methods)() {
+            let mut question = question(kind, &input);
+            question["method"] = method.into();
+            let answer = answered(question.to_string().as_bytes());
+            if let Verdict::Wrong(reason) = check(&tree(&question), &tree(&answer)) {
+                prop_assert!(false, "{}: {} to {}", reason, answer, question);
+            }
+            cases.extend(answer["result"]["status"].as_str().map(|case| (method, case.to_owned())));
+        }
+        let has = |case: &str| cases.iter().any(|(_, known)| known == case);
+        prop_assert!(!(has("separate") && has("contact")), "{:?}: {}", cases, input);
     }
     Ok(())
 }
@@ -214,6 +250,20 @@ proptest! {
         numbers in prop::collection::vec(smallest(), 1..24), dimension in 1usize..5, count in 0usize..6
     ) {
         answers_verify(dimension, count, &numbers)?;
+    }
+
+    #[test]
+    fn every_method_for_motion_has_an_answer_that_verifies(
+        numbers in prop::collection::vec(finite(), 1..40), a in 0usize..4, b in 0usize..4, count in 0usize..6
+    ) {
+        methods_for_motion_agree([a, b], count, &numbers)?;
+    }
+
+    #[test]
+    fn every_method_for_motion_takes_the_smallest_numbers(
+        numbers in prop::collection::vec(smallest(), 1..40), a in 0usize..4, b in 0usize..4, count in 0usize..6
+    ) {
+        methods_for_motion_agree([a, b], count, &numbers)?;
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::definition::{Case, Verdict};
 use crate::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
 use rivals::by_gjk::{self, GjkAnswer};
-use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program};
+use zonotope::collision::{Location, Method, Query, Separation, by_linear_program};
 use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::{Operation, OperationCounts, Tally};
@@ -67,8 +67,8 @@ pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut
         return Ok(Reply { location: gauge.location, gauge: Some(gauge.value), error: gauge.error });
     }
     match method.locate(displacement, seed, tally).map_err(|error| error.to_string())? {
-        Finding::Located(location) => Ok(Reply { location, gauge: None, error: 0.0 }),
-        Finding::Member(_) | Finding::Undecided => Err(format!("{variant} has left the location open")),
+        Some(location) => Ok(Reply { location, gauge: None, error: 0.0 }),
+        None => Err(format!("{variant} has left the location open")),
     }
 }
 

@@ -23,7 +23,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     claims: &["theorem-5.2", "lemma-5.1", "summary-intersection"],
     families: FAMILIES,
     sizes: BODY_SIZES,
-    instances: PerProfile { quick: 8, full: 4 },
+    instances: PerProfile { quick: 16, full: 4 },
     variants: &[
         Variant::at_all_sizes("by_lad", "Kernel: exact gauge"),
         Variant {

@@ -38,9 +38,21 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant::at_all_sizes("within_1e-2", "ε = 0.01"),
         Variant { id: "within_1e-4", title: "ε = 0.0001", largest: PerProfile { quick: 0, full: usize::MAX } },
     ],
+    refuses,
     measure,
     ..Experiment::COUNTED
 };
+
+/// Flat points have no hull whose volume a zonotope's could be compared with.
+fn refuses(points: &Cloud) -> Option<&'static str> {
+    match points {
+        Cloud::Plane(_) => Some("it compares volumes, and the points are points of the plane"),
+        Cloud::Space(points) if matches!(solid_hull(points), Ok(None)) => {
+            Some("it compares volumes, and the points lie in a plane")
+        }
+        Cloud::Space(_) | Cloud::Four(_) => None,
+    }
+}
 
 fn measure(case: &Case) -> Result<Measurement, String> {
     match case.cloud()? {

@@ -22,7 +22,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
     sizes: super::PRUNING_SIZES,
-    instances: PerProfile { quick: 3, full: 5 },
+    instances: PerProfile { quick: 6, full: 5 },
     variants: &[
         Variant {
             id: "by_slope_selection",

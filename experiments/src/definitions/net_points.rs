@@ -26,6 +26,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: super::LINEAR_SIZES,
     instances: PerProfile::both(3),
     variants: &[Variant::at_all_sizes("papers_net", "The paper's net")],
+    refuses: |points| match points {
+        Cloud::Plane(_) => None,
+        Cloud::Space(_) | Cloud::Four(_) => Some("only points of the plane are enclosed"),
+    },
     measure,
     fits: &[FitPlan::of_operations("papers_net", FAMILIES)
         .of(Quantity::Count("point_read"))

@@ -37,6 +37,7 @@ pub const SPACE: Experiment = Experiment {
     claims: &["theorem-4.7"],
     families: &["sphere_3"],
     real_inputs: &[],
+    refuses: |_| None,
     sizes: PerProfile::both(&[2, 3, 4]),
     instances: PerProfile { quick: 2, full: 4 },
     variants: &[Variant::at_all_sizes("papers_net", "The paper's net")],

@@ -28,7 +28,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         quick: &[1 << 4, 1 << 5, 1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10],
         full: &[1 << 4, 1 << 5, 1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12],
     },
-    instances: PerProfile::both(3),
+    instances: PerProfile { quick: 9, full: 3 },
     variants: &[
         Variant::at_all_sizes(LEAST_SPACE, "Cutting, m = n"),
         Variant { id: MIDDLE_SPACE, title: "Cutting, m = n^(3/2)", largest: PerProfile::both(1 << 10) },

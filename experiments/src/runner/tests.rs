@@ -12,6 +12,7 @@ static TOY: Experiment = Experiment {
     question: "Nothing.",
     claims: &[],
     families: &["disc", "gaussian"],
+    refuses: |_| None,
     real_inputs: &["croatia"],
     sizes: PerProfile { quick: &[4, 8, 16], full: &[4, 8, 16, 32] },
     instances: PerProfile { quick: 2, full: 3 },

@@ -1,10 +1,11 @@
 //! The two pictures of a [`DualPair`], in matching colours and with matching numbers.
 
 use super::DualPair;
+use super::crossings::{self, write_number};
 use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{Panel, Scene};
-use crate::style::{Color, FOCUS, GREY, INK, Marker, PAPER, Paint, SERIES, Shape, Stroke, text_size, weight};
+use crate::style::{Color, FOCUS, INK, PAPER, Paint, SERIES, Stroke, text_size, weight};
 
 /// The colours of the generators.
 pub(crate) const GENERATORS: [Color; 8] = [
@@ -22,10 +23,6 @@ const SEPARATOR: Stroke = Stroke::new(INK, weight::STRONG);
 const SEPARATOR_CHAIN: Stroke = Stroke::new(INK, 6.0);
 const LEFT_TILE: Paint = Paint::fill(FOCUS, 0.3);
 const RIGHT_TILE: Paint = Paint::fill(PAPER, 1.0);
-const LEFT_CROSSING: Marker = Marker::new(Shape::Disc, 9.0, FOCUS.mixed(PAPER, 110));
-const RIGHT_CROSSING: Marker = Marker::new(Shape::Ring, 9.0, GREY);
-/// The number of crossings up to which signs and numbers have their full size; beyond it, three quarters of that.
-const FULL_SIZE_LIMIT: usize = 15;
 
 /// The separator of a picture.
 #[derive(Clone, Copy, Debug)]
@@ -74,13 +71,8 @@ pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPa
             panel.scene().text(top.moved(0.0, -6.0), Anchor::Middle, &style, &format!("$L_{{{k}}}$"));
         }
     }
-    let size = if pair.crossings.len() > FULL_SIZE_LIMIT { 0.75 } else { 1.0 };
-    for (index, crossing) in pair.crossings.iter().enumerate() {
-        let marker = if index < left { LEFT_CROSSING } else { RIGHT_CROSSING };
-        panel.marker(crossing.place, &Marker { radius: marker.radius * size, ..marker });
-        let place = panel.place(crossing.place);
-        write_number(panel.scene(), place, index, size);
-    }
+    let places: Vec<[f64; 2]> = pair.crossings.iter().map(|crossing| crossing.place).collect();
+    crossings::draw(&mut panel, &places, left);
 }
 
 /// Draws the tiles with the numbers of their crossings and the chain L'_k.
@@ -132,9 +124,4 @@ pub(crate) fn generator_stroke(generator: usize) -> Stroke {
 /// The colour of a generator; from the ninth on they repeat.
 fn color(generator: usize) -> Color {
     GENERATORS[generator % GENERATORS.len()]
-}
-
-fn write_number(scene: &mut Scene, place: PagePoint, index: usize, size: f64) {
-    let style = TextStyle::new((11.0 * size).max(text_size::LEAST), INK);
-    scene.text(place.moved(0.0, 4.0 * size), Anchor::Middle, &style, &(index + 1).to_string());
 }

@@ -1,6 +1,7 @@
 //! Shared parts of the figures of the duality: the arrangement, the tiling and one separator of both, drawn side by
 //! side.
 
+mod crossings;
 mod drawing;
 mod dual_pair;
 mod general_position;

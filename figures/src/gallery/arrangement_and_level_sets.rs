@@ -1,8 +1,7 @@
 //! The arrangement of the lines ℓ_t with level sets of the area of Z(O), and the optimum.
 
 use crate::figure::{Figure, FigureError, FigureInput};
-use crate::min_area::level_sets::level_set;
-use crate::min_area::{DrawnLine, Polygon};
+use crate::min_area::Polygon;
 use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{LegendEntry, Panel, Sample, Scene};
@@ -55,7 +54,7 @@ pub(crate) fn picture(polygon: &Polygon, title: &str, description: &str) -> Stri
     let mut panel = Panel::new(&mut scene, frame);
 
     let center = best.body.center();
-    draw_level_sets(&mut panel, polygon, &lines, center);
+    draw_level_sets(&mut panel, polygon, center);
     panel.polygon(polygon.vertices(), &Paint::outline(OUTLINE));
     for (t, line) in lines.iter().enumerate() {
         let Some((from, to)) = panel.line_inside(line.point, line.direction, &window) else { continue };
@@ -79,12 +78,11 @@ pub(crate) fn picture(polygon: &Polygon, title: &str, description: &str) -> Stri
     scene.finish()
 }
 
-fn draw_level_sets(panel: &mut Panel<'_>, polygon: &Polygon, lines: &[DrawnLine], center: [f64; 2]) {
-    let area = |center: [f64; 2]| polygon.area_at(center);
-    let least = area(center);
+fn draw_level_sets(panel: &mut Panel<'_>, polygon: &Polygon, center: [f64; 2]) {
+    let least = polygon.area_at(center);
+    let sets = polygon.level_sets(&LEVELS.map(|factor| factor * least));
     let contour = Stroke::new(PAPER.mixed(INK, 120), weight::FINE);
-    for (depth, factor) in LEVELS.into_iter().enumerate() {
-        let corners = level_set(lines, &area, factor * least);
+    for (depth, (factor, corners)) in LEVELS.into_iter().zip(sets).enumerate() {
         panel.polygon(&corners, &Paint::fill(shade(depth), 1.0).with_outline(contour));
         if factor < LEAST_NAMED {
             continue;

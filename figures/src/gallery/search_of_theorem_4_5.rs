@@ -9,10 +9,7 @@ use crate::style::{
     ENCLOSING, FOCUS, GREY, INK, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, PALE, Paint, REFLECTED, Shape, Stroke,
     text_size, weight,
 };
-use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
-use zonotope::lad::by_slope_selection::{self, SearchStep, Side};
-use zonotope::lad::{LadProblem, WeightedLine};
+use zonotope::lad::by_slope_selection::{SearchStep, Side};
 use zonotope::numeric::Rational;
 
 /// The search of Theorem 4.5.
@@ -30,8 +27,7 @@ pub const FIGURE: Figure = Figure {
     draw,
 };
 
-/// The points of the figure. Their coordinates are even, so that the lines have integer coefficients and the search
-/// runs on exactly what is drawn.
+/// The points of the figure.
 const POINTS: [[f64; 2]; 7] =
     [[0.0, 32.0], [8.0, 10.0], [66.0, 2.0], [86.0, 22.0], [86.0, 40.0], [70.0, 60.0], [38.0, 66.0]];
 /// The seed of the random choices in slope selection, which affect the time only.
@@ -41,6 +37,8 @@ const COLUMNS: usize = 3;
 const CELL: [f64; 2] = [280.0, 262.0];
 /// A view is magnified until the strip of the candidates takes at least this part of its width.
 const LEAST_STRIP: f64 = 0.5;
+/// No view is magnified more: where the lines nearly go through one point, the strip has no width that can be shown.
+const MOST_MAGNIFIED: f64 = 1e6;
 const LINE: Stroke = Stroke::new(REFLECTED, 0.9).faded(0.55);
 const VERTICAL: Stroke = Stroke::new(INK, weight::STRONG);
 const CANDIDATE: Marker = Marker::new(Shape::Disc, 3.0, INK);
@@ -86,8 +84,11 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 /// A panel for each step of the search for the best centre around a polygon, and one for the answer.
 pub(crate) fn search(polygon: &Polygon, title: &str, description: &str) -> String {
     let lines = polygon.lines();
-    let vertices = vertices_of(&lines);
-    let (_, steps) = by_slope_selection::trace(&kernel_problem(&lines), SEED);
+    let candidates = polygon.candidates().into_iter();
+    let mut vertices: Vec<Vertex> =
+        candidates.map(|vertex| Vertex { place: vertex.point, exact_x: vertex.exact_x() }).collect();
+    vertices.sort_by(|a, b| a.exact_x.cmp(&b.exact_x));
+    let steps = polygon.search(SEED);
 
     let width = CELL[0] * COLUMNS as f64;
     let legend_top = CELL[1] * (steps.len() + 1).div_ceil(COLUMNS) as f64;
@@ -142,32 +143,6 @@ fn draw_answer(scene: &mut Scene, cell: PageBox, polygon: &Polygon) {
     write_head(scene, &cell, "The answer", "the polygon in its zonogon of least area");
 }
 
-/// The coefficients a, b, c of each line a x + b y + c = 0; (a, b) is as long as half of the line's edge.
-fn rows(lines: &[DrawnLine]) -> Vec<[f64; 3]> {
-    let row = |line: &DrawnLine| {
-        let [a, b] = [-line.direction[1], line.direction[0]];
-        [a, b, -(a * line.point[0] + b * line.point[1])]
-    };
-    lines.iter().map(row).collect()
-}
-
-/// Half the part of f that depends on the centre.
-fn kernel_problem(lines: &[DrawnLine]) -> LadProblem<'static> {
-    let lines: Vec<WeightedLine> =
-        rows(lines).into_iter().map(|[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).expect("corners that are drawn are of ordinary size")
-}
-
-fn vertices_of(lines: &[DrawnLine]) -> Vec<Vertex> {
-    let arrangement = LineArrangement::from_rows(&rows(lines)).expect("corners that are drawn are of ordinary size");
-    let vertex = |vertex: &ArrangementVertex| {
-        let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
-        let [x, y, w] = first.meet(&second);
-        Vertex { place: [x.ratio(&w), y.ratio(&w)], exact_x: vertex.exact_x() }
-    };
-    Method::BruteForce.all_vertices(&arrangement, 0).iter().map(vertex).collect()
-}
-
 /// A step with what is needed to draw it.
 struct Step<'a> {
     number: usize,
@@ -184,7 +159,7 @@ fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
     let left = strip.left.as_ref().map_or(all.min[0], |(x, _)| *x);
     let right = strip.right.as_ref().map_or(all.max[0], |(x, _)| *x);
     let size = [0, 1].map(|axis| all.max[axis] - all.min[axis]);
-    let magnification = libm::ceil(LEAST_STRIP * size[0] / (right - left)).max(1.0);
+    let magnification = magnification(right - left, size[0]);
     if magnification == 1.0 {
         return (all, magnification);
     }
@@ -195,6 +170,20 @@ fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
         max: [0, 1].map(|axis| middle[axis] + half[axis]),
     };
     (view, magnification)
+}
+
+/// The magnification that shows a strip of a view of this width, from 1 to the most.
+fn magnification(strip: f64, width: f64) -> f64 {
+    libm::ceil(LEAST_STRIP * width / strip).clamp(1.0, MOST_MAGNIFIED)
+}
+
+/// The words for a magnification; at the most the strip may be too narrow to be seen, and they say why.
+fn magnified(magnification: f64) -> String {
+    if magnification < MOST_MAGNIFIED {
+        format!("{magnification} ×")
+    } else {
+        format!("{magnification} ×: here the lines nearly meet in one point")
+    }
 }
 
 fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
@@ -255,7 +244,21 @@ fn draw_step(scene: &mut Scene, cell: PageBox, drawn: &Step<'_>) {
     };
     if magnification > 1.0 {
         let style = TextStyle::new(text_size::NOTE, GREY).haloed();
-        panel.scene().text(window.max.moved(-6.0, -7.0), Anchor::End, &style, &format!("{magnification} ×"));
+        panel.scene().text(window.max.moved(-6.0, -7.0), Anchor::End, &style, &magnified(magnification));
     }
     write_head(scene, &cell, &heading, outcome);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strip_without_width_is_magnified_no_more_than_can_be_shown() {
+        assert_eq!(magnification(2.0, 2.0), 1.0);
+        assert_eq!(magnified(magnification(0.125, 2.0)), "8 ×");
+        for strip in [0.0, 1e-300, 1e-15] {
+            assert_eq!(magnified(magnification(strip, 2.0)), "1000000 ×: here the lines nearly meet in one point");
+        }
+    }
 }

@@ -1,13 +1,13 @@
 //! Shared parts of the figures of section 4.1: a polygon with its lines ℓ_t, the area f of Z(O), and its level sets.
 
-pub mod level_sets;
-
-use zonotope::enclosing::bisectors::Bisectors;
+use zonotope::enclosing::area_function::AreaFunction;
+use zonotope::enclosing::bisectors::{Bisectors, Candidate};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::enclosing::min_area;
 use zonotope::enclosing::min_area_zonogon::MinAreaZonogon;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
 use zonotope::hull::{ConvexHull, HullError, convex_hull};
+use zonotope::lad::by_slope_selection::SearchStep;
 
 /// A line of the arrangement as it is drawn: a point on it, and its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +65,25 @@ impl Polygon {
         min_area(&self.points).expect("the points were accepted by the hull already")
     }
 
+    /// The polygons of the centres O with f(O) at most each of the levels.
+    pub fn level_sets(&self, levels: &[f64]) -> Vec<Vec<[f64; 2]>> {
+        AreaFunction::new(&self.hull, &self.farthest).level_sets(levels)
+    }
+
+    /// The vertices of the arrangement of the lines ℓ_t.
+    pub fn candidates(&self) -> Vec<Candidate> {
+        self.bisectors().candidates()
+    }
+
+    /// The vertical lines of the search of Theorem 4.5.
+    pub fn search(&self, seed: u64) -> Vec<SearchStep> {
+        self.bisectors().search_by_slope_selection(seed)
+    }
+
+    fn bisectors(&self) -> Bisectors<'_> {
+        Bisectors::new(&self.hull, &self.farthest)
+    }
+
     /// The area of the hull.
     pub fn area(&self) -> f64 {
         polygon_area(self.vertices())
@@ -72,7 +91,7 @@ impl Polygon {
 
     /// The lines ℓ_t, one for each edge.
     pub fn lines(&self) -> Vec<DrawnLine> {
-        let bisectors = Bisectors::new(&self.hull, &self.farthest);
+        let bisectors = self.bisectors();
         (0..self.hull.edge_count())
             .map(|t| {
                 let [from, to] = bisectors.midpoints(t);

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use tests::body_questions::{Asked, asked};
 use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
-use zonotope::collision::{Finding, Gauge, Method, brute_force};
+use zonotope::collision::{Gauge, Method, brute_force};
 use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::numeric::dyadic::Dyadic;
@@ -30,7 +30,7 @@ fn agrees<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
     for method in Method::ALL.iter().filter(works) {
         let name = method.id();
         match method.locate(&question, 1, &mut ()) {
-            Ok(Finding::Located(location)) => {
+            Ok(Some(location)) => {
                 prop_assert_eq!(location.status(), truth.status(), "{}: {:?}", name, location);
                 prop_assert_eq!(
                     check_location(&question, &location).proof().map(drop),
@@ -180,7 +180,7 @@ fn keeps_its_answers<const D: usize>(asked: &Asked<D>, exponent: i32) -> Result<
     for (name, [one, other]) in restated(asked, exponent) {
         for method in FAST.into_iter().filter(|method| method.dimensions().contains(&D)) {
             let [first, second] = [&one, &other].map(|asked| match method.locate(&asked.displacement(), 1, &mut ()) {
-                Ok(Finding::Located(location)) => location.status().name(),
+                Ok(Some(location)) => location.status().name(),
                 other => panic!("{other:?} by {}", method.id()),
             });
             prop_assert_eq!(first, second, "{} by {}", name, method.id());

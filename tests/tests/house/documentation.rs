@@ -95,3 +95,14 @@ fn an_example_asserts_something_in_few_lines() {
         assert!(code.len() <= 15, "{}: the example has {} lines", source.path, code.len());
     }
 }
+
+/// A row that goes on in a second line is no row of a table, and neither is what follows.
+#[test]
+fn a_row_of_a_table_is_one_line() {
+    for source in ["workbench", "experiments", "figures", "paper_checks"].iter().flat_map(|top| files(top, &[".rs"])) {
+        for (number, line) in source.text.lines().enumerate() {
+            let is_row = ["//! | ", "/// | "].iter().any(|start| line.trim_start().starts_with(start));
+            assert!(!is_row || line.ends_with('|'), "{}:{}: {line}", source.path, number + 1);
+        }
+    }
+}

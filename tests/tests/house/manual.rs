@@ -45,7 +45,9 @@ fn every_command_is_listed() {
         "contains",
         "intersect",
         "distance",
+        "hausdorff",
         "collide",
+        "sweep",
         "reduce",
         "inspect",
         "solve",
@@ -62,4 +64,33 @@ fn every_command_is_listed() {
     for command in commands {
         assert!(manual.contains(&format!("zonobench {command}")), "{command}");
     }
+}
+
+/// The most generators that brute force takes in each dimension, which the manual states, are those that questions with
+/// more of them are refused by.
+#[test]
+fn limits_of_brute_force_are_stated() {
+    let limit = |dimension: usize| -> String {
+        let question = serde_json::json!({"id": "q", "kind": "gauge", "method": "brute_force", "input": {
+            "p": vec![0; dimension], "q": vec![1; dimension], "generators": vec![vec![1; dimension]; 3000],
+        }});
+        let answer = batch::answer_line(1, &batch::Line::Content(question.to_string().into_bytes()), 0).content;
+        let message = answer["error"]["message"].as_str().expect("so many generators are refused").to_owned();
+        let limit = message.split("at most ").nth(1).and_then(|rest| rest.split(' ').next()).expect("it says the most");
+        if limit == "2000" { "2,000".to_owned() } else { limit.to_owned() }
+    };
+    let limits: Vec<String> = (1..=6).map(limit).collect();
+    let sentence = format!("at most {} and {} generators in one to six dimensions", limits[..5].join(", "), limits[5]);
+    let manual = manual().replace('\n', " ");
+    assert!(manual.contains(&sentence), "the manual lacks: {sentence}");
+    let of_gauges = format!("a gauge in five and six dimensions takes at most {} and {}", limits[4], limits[5]);
+    assert!(manual.contains(&of_gauges), "the manual lacks: {of_gauges}");
+    let default = serde_json::json!({"id": "q", "kind": "gauge", "input": {
+        "p": vec![0; 5], "q": vec![1; 5], "generators": vec![vec![1; 5]; 3000],
+    }});
+    let answer = batch::answer_line(1, &batch::Line::Content(default.to_string().into_bytes()), 0).content;
+    assert!(
+        answer["error"]["message"].as_str().is_some_and(|message| message.contains("by `brute_force`")),
+        "{answer}"
+    );
 }

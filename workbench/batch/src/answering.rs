@@ -2,8 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
+use zonotope::DEFAULT_SEED;
+
 use crate::limits::MAX_LINE_BYTES;
-use crate::question;
+use crate::question::{self, Question};
 use crate::refusal::{Code, Refusal};
 
 /// One line of a batch.
@@ -26,14 +28,34 @@ pub struct Answer {
 
 /// The answer to a question, both as lines of JSON. Every text has an answer; one that is no question is refused.
 pub fn answer(question: &str) -> String {
+    answer_line(1, &line_of(question), DEFAULT_SEED).content.to_string()
+}
+
+/// The data of a picture of [`PICTURES`](crate::PICTURES), asked for and answered like a question.
+pub fn picture(question: &str) -> String {
+    let drawn = |question: &Question| question.draw().map(|result| vec![("result", result)]);
+    respond(1, &line_of(question), drawn).content.to_string()
+}
+
+fn line_of(question: &str) -> Line {
     let fits = question.len() <= MAX_LINE_BYTES;
-    let line = if fits { Line::Content(question.as_bytes().to_vec()) } else { Line::TooLong };
-    answer_line(1, &line, 0).content.to_string()
+    if fits { Line::Content(question.as_bytes().to_vec()) } else { Line::TooLong }
 }
 
 /// Answers the line with the given number of a batch. `seed` decides how long the methods that use random numbers
 /// take; the optima do not depend on it.
 pub fn answer_line(number: u64, line: &Line, seed: u64) -> Answer {
+    respond(number, line, |question| {
+        question.solve(seed).map(|solution| vec![("method", solution.method.into()), ("result", solution.result)])
+    })
+}
+
+/// The answer to a line, with the fields that a question is answered with.
+fn respond(
+    number: u64,
+    line: &Line,
+    fields: impl Fn(&Question) -> Result<Vec<(&'static str, Value)>, Refusal>,
+) -> Answer {
     let mut content = Map::new();
     let outcome = match line {
         Line::Content(text) => question::read(number, text),
@@ -52,10 +74,9 @@ pub fn answer_line(number: u64, line: &Line, seed: u64) -> Answer {
         Ok(question) => {
             content.insert("id".to_owned(), question.id.clone().into());
             content.insert("kind".to_owned(), question.kind.clone().into());
-            match question.solve(seed) {
-                Ok(solution) => {
-                    content.insert("method".to_owned(), solution.method.into());
-                    content.insert("result".to_owned(), solution.result);
+            match fields(&question) {
+                Ok(fields) => {
+                    content.extend(fields.into_iter().map(|(name, value)| (name.to_owned(), value)));
                     None
                 }
                 Err(refusal) => Some(refusal),

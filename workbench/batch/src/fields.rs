@@ -186,7 +186,7 @@ impl<'a> Fields<'a> {
 
     /// The zonotope whose centre and generators are fields, where its pose puts it: doubles must hold the image.
     pub(super) fn image<const D: usize>(&self) -> Result<Zonotope<D>, Refusal> {
-        self.placement(D)?.image(&self.zonotope()?).ok_or_else(|| image_not_held(&self.place_of("pose")))
+        self.placement(D)?.image(&self.zonotope()?).ok_or_else(|| image_not_held(&self.place_of("pose"), D))
     }
 
     /// The list under `name`, if it is not too long.
@@ -200,10 +200,18 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// The refusal of a pose under which a body has an image that no doubles hold, where a method needs them.
-pub(super) fn image_not_held(pose: &Place) -> Refusal {
-    let message = format!("{pose}: no doubles equal the image of the body, and the method takes doubles alone");
-    Refusal::new(Code::BadInput, message)
+/// The number of coordinates up to which poses are taken whatever their image is.
+pub(super) const SPACE: usize = 3;
+
+/// The refusal of a pose under which a body has an image that no doubles hold, where these are needed: from four
+/// dimensions on in all kinds, below that by some.
+pub(super) fn image_not_held(pose: &Place, dimension: usize) -> Refusal {
+    let needed = match dimension > SPACE {
+        true => "from four dimensions on other images are not taken",
+        false => "this kind takes no other image",
+    };
+    let advice = "round the image to doubles and ask about it without a pose";
+    Refusal::new(Code::BadInput, format!("{pose}: no doubles equal the image of the body, and {needed}; {advice}"))
 }
 
 fn list<'a>(value: &'a Tree, place: &Place) -> Result<&'a [Tree], Refusal> {
@@ -261,7 +269,15 @@ pub fn read_pose(pose: &Tree, dimension: usize) -> Result<Placement, Refusal> {
 /// The placement of a pose at a place: a matrix, which is the identity if absent, and a translation, which is zero if
 /// absent.
 fn placement_of(pose: &Tree, place: Place, dimension: usize) -> Result<Placement, Refusal> {
-    let pose = Fields::at(pose, &[], &["matrix", "translation"], place)?;
+    const KNOWN: [&str; 2] = ["matrix", "translation"];
+    if let Tree::Object(fields) = pose
+        && let Some((extra, _)) = fields.iter().find(|(name, _)| !KNOWN.contains(&name.as_str()))
+    {
+        let near = did_you_mean(extra, KNOWN);
+        let message = format!("extra field `{extra}` in `{place}`{near}; a pose has `matrix`, `translation` or both");
+        return Err(Refusal::bad_input(message));
+    }
+    let pose = Fields::at(pose, &[], &KNOWN, place)?;
     let has = |name: &str| pose.object.field(name).is_some();
     if !has("matrix") && !has("translation") {
         return Err(Refusal::bad_input(format!("`{}` has neither `matrix` nor `translation`", pose.place)));

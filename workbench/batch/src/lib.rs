@@ -5,12 +5,15 @@
 //! [`answer_line`] and [`check`] do the same for a caller who numbers the lines of a batch, chooses a seed, or has
 //! read the JSON already.
 //!
+//! [`picture`] makes data to draw, which is no claim and has no check: one row of [`PICTURES`] each.
+//!
 //! Reasons to refuse a question are looked for in this order: a line that is too long or is not JSON; a number that
 //! is not finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of
 //! the input.
 //!
 //! The crate reads no files and has no command line, so that a page or another program can ask, answer and verify.
-//! Methods that need an engine for linear programs are there with the feature `linear-programming`.
+//! Methods that need an engine for linear programs are there with the feature `linear-programming`; without the default
+//! feature `every-dimension` all questions are of the plane and of space.
 //!
 //! ```
 //! let question =
@@ -28,18 +31,21 @@ mod fields;
 pub mod json;
 mod kinds;
 mod limits;
+pub mod names;
 mod nearest;
+mod pictures;
 mod place;
 pub mod placement;
 mod question;
 mod refusal;
 mod transcript;
 
-pub use answering::{Answer, Line, answer, answer_line};
+pub use answering::{Answer, Line, answer, answer_line, picture};
 pub use dimension::MAX_DIMENSION;
 pub use fields::read_pose;
-pub use kinds::{KINDS, Kind, min_area_result};
+pub use kinds::{KINDS, Kind, min_area_result, read_motion};
 pub use limits::{MAX_LINE_BYTES, MAX_VECTORS};
 pub use nearest::{did_you_mean, nearest};
+pub use pictures::{PICTURES, Picture};
 pub use refusal::{Code, Refusal};
 pub use transcript::{Verdict, check, check_unread, guarded, verify};

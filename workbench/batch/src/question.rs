@@ -2,10 +2,13 @@
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
+use serde_json::Value;
 
 use super::fields::Fields;
 use super::kinds::{KINDS, Solution};
+use super::names::plain;
 use super::nearest::did_you_mean;
+use super::pictures::PICTURES;
 use super::place::{Place, Step};
 use super::refusal::{Code, Refusal};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
@@ -74,23 +77,36 @@ fn envelope(tree: Tree) -> Result<Question, Refusal> {
 impl Question {
     /// The answer's content, or why there is none.
     pub(super) fn solve(&self, seed: u64) -> Result<Solution, Refusal> {
-        let names = |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
-        let kind = KINDS.iter().find(|kind| kind.name == self.kind).ok_or_else(|| {
-            let known = names(&mut KINDS.iter().map(|kind| kind.name));
-            let near = did_you_mean(&self.kind, KINDS.iter().map(|kind| kind.name));
-            Refusal::new(Code::UnknownKind, format!("there is no kind `{}`; the kinds are {known}{near}", self.kind))
-        })?;
+        let kind = KINDS.iter().find(|kind| kind.name == self.kind);
+        let kind = kind.ok_or_else(|| self.unknown_kind("kind", KINDS.iter().map(|kind| kind.name)))?;
         let methods = (kind.methods)();
         let method = match &self.method {
             None => None,
             Some(wanted) => Some(methods.iter().copied().find(|name| name == wanted).ok_or_else(|| {
-                let known = names(&mut methods.iter().copied());
+                let known = methods.join(", ");
                 let near = did_you_mean(wanted, methods.iter().copied());
                 let message = format!("`{}` has no method `{wanted}`; its methods are {known}{near}", kind.name);
                 Refusal::new(Code::UnknownMethod, message)
             })?),
         };
-        (kind.solve)(&Fields::of_input(&self.input, kind.fields, kind.optional)?, method, seed)
+        let input = plain(&self.input, kind)?;
+        (kind.solve)(&Fields::of_input(&input, kind.fields, kind.optional)?, method, seed)
+    }
+
+    /// The data of the picture, or why there is none.
+    pub(super) fn draw(&self) -> Result<Value, Refusal> {
+        let picture = PICTURES.iter().find(|picture| picture.name == self.kind);
+        let picture = picture.ok_or_else(|| self.unknown_kind("picture", PICTURES.iter().map(|p| p.name)))?;
+        if self.method.is_some() {
+            return Err(Refusal::new(Code::UnknownMethod, format!("`{}` has no methods", picture.name)));
+        }
+        (picture.draw)(&Fields::of_input(&self.input, picture.fields, &[])?)
+    }
+
+    fn unknown_kind(&self, what: &str, known: impl Iterator<Item = &'static str> + Clone) -> Refusal {
+        let near = did_you_mean(&self.kind, known.clone());
+        let known = known.collect::<Vec<_>>().join(", ");
+        Refusal::new(Code::UnknownKind, format!("there is no {what} `{}`; the {what}s are {known}{near}", self.kind))
     }
 }
 

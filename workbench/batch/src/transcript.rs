@@ -1,10 +1,12 @@
 //! The check of an answer against its question: the numbers of both are read here, the crate `verifier` judges them.
 
+use std::borrow::Cow;
 use std::panic::{self, AssertUnwindSafe};
 
 use crate::claimed::{Reads, Traced, member};
 use crate::json::{self, MAX_VALUES, Tree};
 use crate::kinds::{KINDS, Kind};
+use crate::names::plain_question;
 use crate::place::Place;
 use crate::refusal::Code;
 
@@ -65,8 +67,15 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         }
         return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
     }
+    let kind = question.field("kind").and_then(Tree::text).and_then(|name| KINDS.iter().find(|kind| kind.name == name));
+    let question = match kind.map(|kind| plain_question(question, kind)) {
+        Some(plain) => {
+            plain.map_err(|refusal| format!("the question is not one to be answered: {}", refusal.message))?
+        }
+        None => Cow::Borrowed(question),
+    };
     let reads = Reads::default();
-    let [question, answer] = [question, answer].map(|tree| Traced::new(tree, &reads));
+    let [question, answer] = [&*question, answer].map(|tree| Traced::new(tree, &reads));
     let verdict = by_kind(question, answer)?;
     let Verdict::Right(proved) = &verdict else { return Ok(verdict) };
     let unknown = question.unread().into_iter().filter(|place| !is_known_in_question(place, question));

@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    collide, compare, contains, distance, draw, enclose, figure, inspect, intersect, list, records, reduce, reproduce,
-    shell, solve, verify,
+    collide, compare, contains, distance, draw, enclose, figure, hausdorff, inspect, intersect, list, records, reduce,
+    reproduce, shell, solve, sweep, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -39,8 +39,12 @@ pub enum Command {
     Contains(contains::Options),
     /// Tell how far apart two zonotopes are, or how deep they overlap.
     Distance(distance::Options),
+    /// Tell how different two zonotopes are: their Hausdorff distance, and whether one contains the other.
+    Hausdorff(hausdorff::Options),
     /// Tell whether two zonotopes in motion meet, and when first, with the proof.
     Collide(collide::Options),
+    /// Find a zonotope around all placements of a zonotope that turns about an axis and translates.
+    Sweep(sweep::Options),
     /// Find a zonotope of few generators around a zonotope.
     Reduce(reduce::Options),
     /// Tell what kind of body a zonotope is: faces, volume, size.

@@ -1,5 +1,6 @@
 //! The workbench on the command line: `reproduce`, `figure`, `draw`, `records`, `compare`, `list`, `enclose`,
-//! `contains`, `intersect`, `distance`, `collide`, `reduce`, `inspect`, `solve`, `verify`, `completions`, `man`.
+//! `contains`, `intersect`, `distance`, `hausdorff`, `collide`, `sweep`, `reduce`, `inspect`, `solve`, `verify`,
+//! `completions`, `man`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -72,7 +73,9 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Intersect(options) => commands::intersect::run(options),
         Command::Contains(options) => commands::contains::run(options),
         Command::Distance(options) => commands::distance::run(options),
+        Command::Hausdorff(options) => commands::hausdorff::run(options),
         Command::Collide(options) => commands::collide::run(options),
+        Command::Sweep(options) => commands::sweep::run(options),
         Command::Reduce(options) => commands::reduce::run(options),
         Command::Inspect(options) => commands::inspect::run(options),
         Command::Solve(options) => commands::solve::run(options),

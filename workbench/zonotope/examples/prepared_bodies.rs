@@ -28,6 +28,11 @@ pub fn main() {
         assert_eq!(location.status(), body.locate(point).expect("the point is finite").status());
     }
     println!("{counts:?}");
+
+    // how much preparation pays off depends on the number of questions; the methods are the same
+    let often = body.prepared_for(10_000);
+    let inner = body.center();
+    assert!(often.contains(inner).expect("the point is finite") && often.intersects(&prepared));
     assert!(counts[&Status::Inside] > 0 && counts[&Status::Outside] > 0);
 
     // a pose turns and moves the prepared body, and nothing is copied

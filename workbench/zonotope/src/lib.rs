@@ -144,7 +144,7 @@ mod tables;
 pub mod tally;
 pub mod zonotope;
 
-pub use collision::{Gauge, Location, Separation, Status, Witness};
+pub use collision::{Gauge, Location, PreparedFor, Separation, Status, Witness};
 pub use enclosing::Enclosing;
 pub use motion::Motion;
 pub use numeric::non_finite::{NonFinite, Place};

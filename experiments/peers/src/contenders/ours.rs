@@ -4,7 +4,7 @@ use super::{Answer, Contender, Work};
 use experiments::question::Question;
 use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
-use zonotope::collision::{Finding, Method, Query, by_lad};
+use zonotope::collision::{Method, Query, by_lad};
 use zonotope::zonotope::{PreparedBody, Zonotope};
 
 /// One evaluation of the support function in doubles over the question's generators, which are laid out for it
@@ -24,9 +24,8 @@ fn pass(question: &Question) -> Option<Work<'_>> {
 fn location(method: Method, question: &Question) -> Option<Work<'_>> {
     let displacement = question.displacement();
     Some(Box::new(move || match method.locate(&displacement, 1, &mut ()) {
-        Ok(Finding::Located(location)) => Answer::Member(location.is_member()),
-        Ok(Finding::Member(is_member)) => Answer::Member(is_member),
-        Ok(Finding::Undecided) | Err(_) => Answer::Failed,
+        Ok(Some(location)) => Answer::Member(location.is_member()),
+        Ok(None) | Err(_) => Answer::Failed,
     }))
 }
 

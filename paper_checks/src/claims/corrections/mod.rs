@@ -1,6 +1,7 @@
 //! The places where the paper is wrong, leaves out a condition, or asks for a note; the statement is the paper's own.
 
 pub(crate) mod area_formula_third_line;
+pub(crate) mod axis_sum;
 pub(crate) mod coefficient_at_line_minimum;
 pub(crate) mod erosion;
 pub(crate) mod exact_difference;

@@ -18,8 +18,8 @@ pub static CLAIM: Claim = Claim {
     statement: "Moving every generator to the nearest net direction and adding eps D along each of the d axes gives a \
         zonotope Z' that contains Z and has total length (1 + d eps) D",
     remedy: Some(
-        "the printed sums add all generators e_d of the axes: read e_i; with what the moved parts reach along each \
-            axis a factor sqrt(d) is enough in place of d",
+        "with what the moved parts reach along each axis a factor sqrt(d) is enough in place of d; the printed sums \
+            take the last axis d times, see the erratum",
     ),
     code: &["zonotope::enclosing::min_total_length::by_direction_net", "zonotope::enclosing::fixed_directions"],
     check: Check::Run(check),

@@ -15,8 +15,8 @@ pub static CLAIM: Claim = Claim {
     statement: "Numbering the tiles by the x order of the dual vertices is consistent with the right-to relation of \
         the tiling",
     remedy: Some(
-        "where dual vertices share an x, tiles of equal x are not to the right of each other unless a line is \
-            vertical: then by y",
+        "the order of tiles of equal x is free, as none is to the right of another: but where a line is vertical, its \
+            tiles go by y",
     ),
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "separators"],

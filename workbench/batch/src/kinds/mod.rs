@@ -9,6 +9,7 @@ mod motion;
 use serde_json::Value;
 
 pub use enclosing::min_area::result as min_area_result;
+pub use motion::read_motion;
 
 use verifier::Verdict;
 

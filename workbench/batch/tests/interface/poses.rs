@@ -215,7 +215,10 @@ fn a_pose_that_cannot_be_taken_is_named() {
     assert_eq!(posed(json!({"matrix": [[1, 0]]})), "pose, matrix has 1 rows, not 2");
     assert_eq!(posed(json!({"matrix": [[1, 0], [0, 1, 2]]})), "pose, matrix, row 2 has 3 coordinates, not 2");
     assert_eq!(posed(json!({"translation": [1, 0, 0]})), "pose, translation has 3 coordinates, not 2");
-    assert_eq!(posed(json!({"rotation": [1, 0]})), "extra field `rotation` in `pose`");
+    assert_eq!(
+        posed(json!({"rotation": [1, 0]})),
+        "extra field `rotation` in `pose`; a pose has `matrix`, `translation` or both"
+    );
     assert_eq!(posed(json!(7)), "`pose` is a number, not an object");
     let body = json!({"center": [0, 0], "generators": [[0.3, 0]], "pose": {"matrix": [[0.1, 0], [0, 1]]}});
     let pair = refused("hausdorff", json!({"a": square_body, "b": body}));
@@ -227,7 +230,9 @@ fn a_pose_that_cannot_be_taken_is_named() {
     assert_eq!(refused("separator", tiles), "extra field `pose` in the input");
     let four = json!({"center": [0, 0, 0, 0], "generators": [[0.1, 0, 0, 0]], "point": [0, 0, 0, 0],
         "pose": {"matrix": [[0.1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}});
-    assert!(refused("member", four).starts_with("pose: no doubles equal the image"));
+    let of_four = refused("member", four);
+    assert!(of_four.starts_with("pose: no doubles equal the image"), "{of_four}");
+    assert!(of_four.contains("from four dimensions on other images are not taken; round the image"), "{of_four}");
     let flattened = json!({"generators": [[0.1, 0.3], [0.7, 0]], "pose": {"matrix": [[0.1, 0.1], [0, 0]]}});
     assert!(refused("combinatorics", flattened).starts_with("pose: no doubles equal the image"));
     let tree = json!({"id": "q", "kind": "member_batch", "method": "by_direction_tree", "input": {"center": [0, 0, 0],

@@ -53,14 +53,17 @@ pub struct MinLengthProof {
     pub proven_bound: f64,
     /// The answer's ratio, which agrees with that of its length and its lower bound.
     pub ratio: f64,
+    /// The part of the proven bound by which the length exceeds it at most, rounded up.
+    pub excess: f64,
     /// Whether the length is at most 1 + ε times the lower bound.
     pub is_within: bool,
 }
 
 impl Display for MinLengthProof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { points, length, ratio, .. } = self;
-        write!(f, "contains all {points} points; length {length:?}, proven to be at most {ratio:.12} times the least")
+        let Self { points, length, excess, .. } = self;
+        let times = in_words(*excess);
+        write!(f, "contains all {points} points; length {length:?}, proven to be at most {times} times the least")
     }
 }
 
@@ -77,7 +80,7 @@ pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengt
         if proof.is_within {
             return Ok(proof);
         }
-        Err(Stop::Unchecked(format!("{proof}, which is above 1 + epsilon, as the answer says")))
+        Err(Stop::Unchecked(format!("the precision is not reached, as the answer says: {proof}")))
     });
     checked.into()
 }
@@ -138,7 +141,7 @@ fn proved(
         return Err(format!("point {} lies outside the zonotope", outside + 1).into());
     }
     let unit = Proportion::whole(IBig::ONE, grid.exponent());
-    let [length, _] = total_length(&generators).map(|bound| bound.times(&unit));
+    let [length, longest] = total_length(&generators).map(|bound| bound.times(&unit));
     let relative = Proportion::of_double(RELATIVE_ERROR);
     check_figure("length", answer.length, &length, &length.times(&relative))?;
 
@@ -166,8 +169,37 @@ fn proved(
     if answer.within_epsilon == Some(false) && claimed.compare(&lower_bound.times(&nearly)) != Ordering::Greater {
         return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio).into());
     }
-    let (length, ratio) = (answer.length, answer.ratio);
-    Ok(MinLengthProof { points: points.len(), length, proven_bound: bound.nearest(), ratio, is_within })
+    let (length, ratio, excess) = (answer.length, answer.ratio, excess(&longest, &bound));
+    Ok(MinLengthProof { points: points.len(), length, proven_bound: bound.nearest(), ratio, excess, is_within })
+}
+
+/// The part of the bound by which a length exceeds it, rounded up; 0 where it does not.
+fn excess(length: &Proportion, bound: &Proportion) -> f64 {
+    let above = length.minus(bound);
+    match above.over(bound) {
+        _ if above.is_zero() || above.is_negative() => 0.0,
+        Some(part) => part.nearest().next_up(),
+        None => f64::INFINITY,
+    }
+}
+
+/// The factor of a length that exceeds another by a part of it, rounded up: `1`, `1 + 3.4e-8` or `1.0004`.
+fn in_words(excess: f64) -> String {
+    const DIGITS_FROM: f64 = 1e-4;
+    if excess == 0.0 {
+        return "1".to_owned();
+    }
+    if excess >= DIGITS_FROM {
+        let factor = (1.0 + excess).next_up();
+        let shown = (factor * 1e5).ceil() / 1e5;
+        return format!("{:?}", if shown >= factor { shown } else { factor });
+    }
+    let nearest = format!("{excess:.1e}");
+    let (digits, exponent) = nearest.split_once('e').expect("the notation has an exponent");
+    let digits: f64 = digits.parse().expect("the digits are a number");
+    let shown: f64 = nearest.parse().expect("the notation is that of a double");
+    let digits = if shown < excess { digits + 0.1 } else { digits };
+    format!("1 + {digits:.1}e{exponent}")
 }
 
 /// The amount that rounding the centre and the generators to doubles may cost: some units in the last place of the
@@ -275,6 +307,7 @@ mod tests {
         assert!(matches!(check_min_length_all(&diamond(), 1e-9, &honest), Verdict::Unchecked(_)));
         assert!(check_min_length_all_at_any_ratio(&diamond(), 1e-9, &honest).is_right());
         let proof = check_min_length_all_bounds(&diamond(), 1e-9, &honest).proof().expect("right");
+        assert!(proof.to_string().ends_with("at most 1.41422 times the least"), "{proof}");
         assert!(!proof.is_within && proof.ratio > 1.4);
         assert!(complaint(MinLengthAnswer { within_epsilon: Some(false), ..answer() }).contains("within_epsilon"));
         assert!(complaint(MinLengthAnswer { length: 1.414_213_563, ..answer() }).contains("length"));
@@ -285,6 +318,24 @@ mod tests {
         let mut elsewhere = answer();
         elsewhere.forces[0].0 = 7;
         assert!(complaint(elsewhere).contains("does not exist"));
+    }
+
+    /// The factor that a proof states is not below the one that is proved.
+    #[test]
+    fn factors_are_rounded_up() {
+        for (excess, expected) in [
+            (0.0, "1"),
+            (f64::EPSILON, "1 + 2.3e-16"),
+            (3.325e-8, "1 + 3.4e-8"),
+            (9.96e-9, "1 + 1.0e-8"),
+            (9.91e-9, "1 + 10.0e-9"),
+            (0.000_329_242_163, "1.00033"),
+            (0.414_213_562_4, "1.41422"),
+            (2.0, "3.00001"),
+        ] {
+            assert_eq!(in_words(excess), expected, "{excess}");
+        }
+        assert_eq!(in_words(f64::INFINITY), "inf");
     }
 
     /// Two points whose distance is the smallest double: rounding may double the length, but the ratio is 2 then.

@@ -5,6 +5,8 @@ use super::check::{MovingBody, check_first_contact};
 use super::path::{Motion, MotionPiece};
 use crate::Verdict;
 
+mod margins;
+
 fn cube(side: f64) -> Vec<Vec<f64>> {
     vec![vec![side, 0.0, 0.0], vec![0.0, side, 0.0], vec![0.0, 0.0, side]]
 }

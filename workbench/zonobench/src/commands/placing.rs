@@ -69,6 +69,19 @@ impl PlacingOfSecond {
         self.format_b.or(of_both)
     }
 
+    /// The name of an option that is given, if there is one.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        let given = [
+            (self.pose_b.is_some(), "--pose-b"),
+            (self.turn_b.is_some(), "--turn-b"),
+            (self.shift_b.is_some(), "--move-b"),
+            (self.columns_are_generators_b, "--columns-are-generators-b"),
+            (self.center_first_b, "--center-first-b"),
+            (self.format_b.is_some(), "--format-b"),
+        ];
+        given.into_iter().find(|(is_given, _)| *is_given).map(|(_, name)| name)
+    }
+
     /// The options as those of a single body.
     pub(super) fn placing(&self) -> Placing {
         Placing {

@@ -51,6 +51,16 @@ pub(super) fn at_most(number: f64) -> String {
     rounded(number, DIGITS, |shown, number| shown < number)
 }
 
+/// A factor from 1 on that bounds another from above: the part above 1 where six digits would not show it.
+pub(super) fn factor_at_most(factor: f64) -> String {
+    const SHOWN_FROM: f64 = 1e-4;
+    match factor - 1.0 {
+        0.0 => "1".to_owned(),
+        part if part > 0.0 && part < SHOWN_FROM => format!("1 + {}", rounded(part, 2, |shown, part| shown < part)),
+        _ => at_most(factor),
+    }
+}
+
 /// A bound from below that says so where it is rounded.
 pub(super) fn lower_bound(number: f64) -> String {
     let shown = at_least(number);
@@ -134,6 +144,19 @@ fn decimal_exponent(number: f64) -> Option<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn factors_near_1_show_how_near() {
+        for (factor, shown) in [
+            (1.0, "1"),
+            (1.0 + f64::EPSILON, "1 + 2.3e-16"),
+            (1.000_000_033_25, "1 + 3.4e-8"),
+            (1.000_329_242_163, "1.00033"),
+            (2.5, "2.5"),
+        ] {
+            assert_eq!(factor_at_most(factor), shown);
+        }
+    }
 
     #[test]
     fn a_small_body_far_from_the_origin_has_its_own_place() {

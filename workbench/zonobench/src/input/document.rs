@@ -113,7 +113,7 @@ impl Choice<'_> {
     fn places_in_list(&self, cells: usize) -> Result<Vec<usize>, Problem> {
         match self.columns {
             Some(columns) => names::chosen(&vec![String::new(); cells], columns, &format!("numbered 1 to {cells}")),
-            None if self.wanted.takes_all(cells) => Ok((0..cells).collect()),
+            None if self.wanted.takes_all(cells, false) => Ok((0..cells).collect()),
             None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words() }),
         }
     }
@@ -188,6 +188,15 @@ mod tests {
     }
 
     #[test]
+    fn numbers_may_be_written_as_strings() {
+        let expected = Ok(vec![[1.0, 2.5], [3.0, 4.0]]);
+        assert_eq!(read(r#"[["1","2.5"],["3",4]]"#, None), expected);
+        assert_eq!(read(r#"[{"x":" 1","y":"2.5"},{"x":"3","y":"4e0"}]"#, None), expected);
+        assert!(read(r#"[["1","2,5"]]"#, None).expect_err("a comma").contains("has a comma where a decimal point"));
+        assert_eq!(read(r#"[["1","north"]]"#, None), Err("p.json: [0][1]: 'north' is not a number".to_owned()));
+    }
+
+    #[test]
     fn rows_may_be_lists_or_objects() {
         let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
         assert_eq!(read("[[1,2],[3,4]]", None), expected);
@@ -240,7 +249,10 @@ mod tests {
         assert_eq!(complaint("{\"points\":[[1,2],[3]]}", None), "p.json: points[1]: the row has 1 cells, not 2");
         assert_eq!(complaint("[{\"x\":1}]", None), "p.json: [0]: there is no column 'y'; the columns are x");
         assert_eq!(complaint("[[1,null]]", None), "p.json: [0][1]: 'null' is not a finite number");
-        assert_eq!(complaint("[[1,2,3]]", None), "p.json: [0]: has 3 column(s); choose two with --columns");
+        assert_eq!(
+            complaint("[[1,2,3]]", None),
+            "p.json: [0]: has 3 column(s); choose two with --columns, such as --columns 1,2"
+        );
         assert_eq!(
             complaint("[[1,1e999]]", None),
             "p.json: line 1, column 9: a number is outside the range of a double"

@@ -82,6 +82,9 @@ pub enum Problem {
     /// The extension is that of no format that is read.
     #[error("files that end in .{0} are not read; if it holds one of the formats that are, say --format {FORMATS}")]
     UnreadFormat(String),
+    /// The extension is that of a known format that is not read, and whose content no other reader takes.
+    #[error("files that end in .{0} are not read; export the points as CSV, or the mesh as STL or PLY")]
+    ForeignFormat(String),
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
@@ -186,13 +189,16 @@ pub enum Problem {
         cells: usize,
     },
     /// The file has too many or too few columns for the coordinates to be guessed.
-    #[error("has {cells} column(s); choose {wanted} with --columns")]
+    #[error("has {cells} column(s); {}", choice(*cells, wanted))]
     ChooseColumns {
         /// Cells in the first row.
         cells: usize,
         /// The number that there should be.
         wanted: &'static str,
     },
+    /// The rows of a table have one cell, and points need more.
+    #[error("has 1 column, and points of the plane or of space need two or three; {0}")]
+    OneColumn(String),
     /// A row of numbers holds a text as well, so that only some of the columns can be coordinates.
     #[error("'{text}' is text; choose {wanted} of the {cells} columns with --columns")]
     TextAmongNumbers {
@@ -240,6 +246,19 @@ pub enum Problem {
     /// The table cannot be parsed.
     #[error("cannot be parsed as a table: {0}")]
     Table(String),
+}
+
+/// The number of columns of points of the plane.
+pub(super) const TWO: &str = "two";
+
+/// The advice where the columns of the coordinates are not plain: the words to be added, if there are enough columns.
+fn choice(cells: usize, wanted: &str) -> String {
+    match cells {
+        0 | 1 => format!("points need {wanted}"),
+        2 => format!("choose {wanted} with --columns, such as --columns 1,2"),
+        _ if wanted == TWO => format!("choose {wanted} with --columns, such as --columns 1,2"),
+        _ => format!("choose {wanted} with --columns, such as --columns 1,2,3 or --columns 1,2"),
+    }
 }
 
 /// The names of the formats, as messages list them.
@@ -290,6 +309,7 @@ impl Problem {
             Self::CommasAndPoints(cell) => Self::CommasAndPoints(tidy(cell)),
             Self::Thousands(cell) => Self::Thousands(tidy(cell)),
             Self::UnreadFormat(extension) => Self::UnreadFormat(tidy(extension)),
+            Self::ForeignFormat(extension) => Self::ForeignFormat(tidy(extension)),
             Self::Mesh { format, complaint } => {
                 let words: Vec<&str> = complaint.split_whitespace().collect();
                 Self::Mesh { format, complaint: cut(&words.join(" "), 2 * MESSAGE_LIMIT) }

@@ -32,6 +32,12 @@ pub enum Format {
     Off,
 }
 
+/// Extensions of tables, meshes, clouds of points and archives that are known, but not read.
+const FOREIGN: &str = "\
+    xlsx xls xlsm ods numbers parquet feather arrow mat h5 hdf5 nc npz pkl glb gltf dae vtk vtu vtp vtm msh mesh pcd \
+    las laz e57 ptx rcp 3ds 3mf fbx blend step stp iges igs usd usda usdz x3d wrl shp gpkg kml kmz gpx tif tiff bag \
+    pdf zip gz";
+
 impl Format {
     /// The format that a file's extension names.
     pub fn of_extension(file: &Path) -> Option<Self> {
@@ -49,11 +55,20 @@ impl Format {
         }
     }
 
+    /// Whether an extension is that of a known format that is not read, and that no other format's reader can read.
+    pub(super) fn is_foreign(extension: &str) -> bool {
+        let extension = extension.to_ascii_lowercase();
+        FOREIGN.split_whitespace().any(|foreign| foreign == extension)
+    }
+
     /// The format of a file: the one that was chosen, or that its extension names.
     pub(super) fn of_file(file: &Path, chosen: Option<Self>) -> Result<Self, InputError> {
         let problem = match (chosen.or_else(|| Self::of_extension(file)), file.extension()) {
             (Some(format), _) => return Ok(format),
             _ if file.is_dir() => Problem::Folder,
+            (None, Some(extension)) if Self::is_foreign(&extension.to_string_lossy()) => {
+                Problem::ForeignFormat(extension.to_string_lossy().into_owned())
+            }
             (None, Some(extension)) => Problem::UnreadFormat(extension.to_string_lossy().into_owned()),
             (None, None) => Problem::UnknownFormat,
         };
@@ -89,5 +104,24 @@ impl fmt::Display for Format {
             Self::Stl => "stl",
             Self::Off => "off",
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Text readers make nothing of these files, so that a message about them does not advise one.
+    #[test]
+    fn known_formats_that_are_not_read_are_to_be_exported() {
+        for extension in ["xlsx", "glb", "dae", "vtk", "vtu", "msh", "pcd", "GLTF"] {
+            let file = format!("m.{extension}");
+            let complaint = Format::of_file(Path::new(&file), None).expect_err(&file).to_string();
+            assert!(complaint.contains("export the points as CSV, or the mesh as STL or PLY"), "{complaint}");
+            assert!(!complaint.contains("--format"), "{complaint}");
+            assert!(Format::of_file(Path::new(&file), Some(Format::Csv)).is_ok(), "{file}");
+        }
+        let complaint = Format::of_file(Path::new("p.dat"), None).expect_err("unknown").to_string();
+        assert!(complaint.contains("--format csv"), "{complaint}");
     }
 }

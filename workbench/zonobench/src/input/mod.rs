@@ -25,7 +25,7 @@ mod reading;
 mod table;
 
 pub use self::points::MAX_POINTS;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub use body::{
     Body, BodySource, ExactBody, Layout, OptionNames, Origin, Placed, PoseDocument, RoundedBody, body_of_answer,
@@ -95,6 +95,12 @@ impl PointSource {
         reading.format.get_or_insert(format);
         reading.sha256 = sha256(&content);
         Ok(reading)
+    }
+
+    /// The SHA-256 of a file; none of one that cannot be read, or can be read only once.
+    pub fn file_sha256(file: &Path) -> Option<String> {
+        let is_file = file != Path::new("-");
+        is_file.then(|| bytes::read_limited(file).ok()).flatten().map(|content| sha256(&content))
     }
 
     /// A complaint about a missing number names the option that leaves such points out, if there is one.

@@ -11,6 +11,29 @@ const KNOWN_NAMES: [[&str; 2]; 6] =
 /// Names of three coordinates, which come before pairs.
 const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
 
+/// Names of a field that holds all coordinates of a point.
+const POSITION_NAMES: [&str; 14] = [
+    "xyz",
+    "xy",
+    "p",
+    "pos",
+    "position",
+    "positions",
+    "point",
+    "points",
+    "coord",
+    "coords",
+    "coordinates",
+    "vertex",
+    "vertices",
+    "location",
+];
+
+/// Whether the name of a field says that it holds the coordinates of a point; capitals do not matter.
+pub(super) fn is_position(name: &str) -> bool {
+    POSITION_NAMES.iter().any(|known| known.eq_ignore_ascii_case(name))
+}
+
 /// The columns that are named as coordinates, if there are any; capitals do not matter.
 pub(super) fn of_coordinates(names: &[String], wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
     let known = |known: &[&str]| known.iter().map(|name| position(names, name)).collect::<Option<Vec<usize>>>();

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::encoding;
 use super::error::{InputError, Place, Problem};
+use super::number as word;
 use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Parses a document, with the parser's complaints placed in the file.
@@ -20,6 +21,11 @@ pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
         }
         ReadError::RepeatedField { ref field, line, column } => {
             Problem::Shape(format!("the field `{field}` occurs twice in one object")).at(file, cell(line, column))
+        }
+        ReadError::Syntax { line, column, .. } if is_a_value_a_line(&text) => {
+            let problem = "holds JSON lines, a value on each of them; write the values as one list, between [ and ] \
+                           and with commas after all but the last";
+            Problem::Shape(problem.to_owned()).at(file, cell(line, column))
         }
         ReadError::Syntax { line, column, message } => Problem::NotJson(message).at(file, cell(line, column)),
         other => Problem::NotJson(other.to_string()).at(file, Place::File),
@@ -47,17 +53,48 @@ fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
     is_found.then_some(quoted)
 }
 
+/// Whether each of the first two lines that are not blank is a list or an object by itself.
+fn is_a_value_a_line(text: &[u8]) -> bool {
+    let is_value = |line: &[u8]| {
+        let read = json::read(line, MAX_VALUES).or_else(|error| match with_quoted_non_finite(line) {
+            Some(quoted) => json::read(&quoted, MAX_VALUES),
+            None => Err(error),
+        });
+        matches!(read, Ok(Tree::List(_) | Tree::Object(_)))
+    };
+    let mut lines = text.split(|&byte| byte == b'\n').filter(|line| !line.trim_ascii().is_empty());
+    [lines.next(), lines.next()].into_iter().all(|line| line.is_some_and(is_value))
+}
+
 fn cell(line: usize, column: usize) -> Place {
     Place::Cell { line: line as u64, column: column as u64 }
 }
 
-/// A finite number; strings are no numbers here, except that the non-finite ones are named for what they are.
+/// A finite number, perhaps written as a string; non-finite ones are named for what they are.
 pub(super) fn number(value: &Tree) -> Result<f64, Problem> {
     match value {
         Tree::Number(number) => Ok(*number),
         Tree::Null => Err(Problem::NotFinite("null".to_owned())),
         Tree::Text(text) if NonFinite::spelled(text).is_some() => Err(Problem::NotFinite(text.clone())),
-        Tree::Text(text) => Err(Problem::NotANumber(text.clone())),
+        Tree::Text(text) => word::number(text.as_bytes()),
         other => Err(Problem::Shape(format!("expected a number, found {}", other.describe()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn json_lines_are_named_with_their_cure() {
+        let complaint = |content: &str| parse(Path::new("p.json"), content.as_bytes()).expect_err(content).to_string();
+        for content in ["{\"x\":1}\n{\"x\":2}\n", "[1,2]\r\n\r\n[3,4]", "{\"x\":NaN}\n{\"x\":2}\n{"] {
+            let complaint = complaint(content);
+            assert!(complaint.contains("holds JSON lines") && complaint.contains("between [ and ]"), "{complaint}");
+        }
+        for content in ["[1,2", "[[1,2]\n[3,4]]", "[1,2] x", "1\n2\n"] {
+            let complaint = complaint(content);
+            assert!(complaint.contains("is not JSON"), "{complaint}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Points of one dimension, as they come from a file.
 
-use super::error::Problem;
+use super::error::{Problem, TWO};
 
 /// Points with up to this many coordinates are read.
 pub(super) const COORDINATE_LIMIT: usize = 4;
@@ -80,17 +80,18 @@ pub enum Wanted {
     /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen. Columns x, y
     /// and z are no points of the plane, unless two of them are chosen.
     Planar,
-    /// Three coordinates if the columns are named x, y and z, else two.
+    /// Three coordinates if the columns are named x, y and z or if there are three without names, else two.
     PlaneOrSpace,
     /// One to four coordinates: as many as there are.
     Any,
 }
 
 impl Wanted {
-    /// Whether a row of so many cells holds nothing but coordinates.
-    pub(super) fn takes_all(self, cells: usize) -> bool {
+    /// Whether a row of so many cells, without names or under names that say nothing, holds nothing but coordinates.
+    pub(super) fn takes_all(self, cells: usize, are_named: bool) -> bool {
         match self {
-            Self::Planar | Self::PlaneOrSpace => cells == 2,
+            Self::Planar => cells == 2,
+            Self::PlaneOrSpace => cells == 2 || (cells == 3 && !are_named),
             Self::Any => (1..=COORDINATE_LIMIT).contains(&cells),
         }
     }
@@ -98,7 +99,7 @@ impl Wanted {
     /// The number of columns that there should be, in words.
     pub(super) fn in_words(self) -> &'static str {
         match self {
-            Self::Planar => "two",
+            Self::Planar => TWO,
             Self::PlaneOrSpace | Self::Any => "two to four",
         }
     }

@@ -51,6 +51,10 @@ fn centre_is_read(content: &str) {
     has(&outcome, "a             2 generators in a.json, centre (10.0, 0.0)");
     has(&outcome, "answer        a and b are disjoint");
     has(&good(folder, &["distance", "a.json", "square.json"]), "distance      8.0");
+    has(
+        &good(folder, &["hausdorff", "a.json", "square.json"]),
+        "distance      10.0, between 10.0 and 10.0: no point of one body is farther than that from the other",
+    );
     let outcome = good(folder, &["inspect", "a.json"]);
     has(&outcome, "centre        (10.0, 0.0)");
     has(&outcome, "bounding box  [9.0, 11.0] × [-1.0, 1.0]");
@@ -184,7 +188,10 @@ fn options_turn_and_move_and_say_the_numbers_that_are_taken() {
             ["inspect", "a.json", "--pose", "absent.json"],
             "absent.json: cannot be read: No such file or directory (os error 2)",
         ),
-        (["inspect", "a.json", "--pose", "a.json"], "--pose a.json: extra field `center` in `pose`"),
+        (
+            ["inspect", "a.json", "--pose", "a.json"],
+            "--pose a.json: extra field `center` in `pose`; a pose has `matrix`, `translation` or both",
+        ),
     ] {
         let outcome = run(folder, &words);
         assert_eq!((outcome.status, outcome.stderr), (1, format!("zonobench: {complaint}\n")), "{words:?}");
@@ -270,4 +277,24 @@ fn table_center_and_generators() {
     has(&good(folder, &words), "distance      8.0");
     let refused = run(folder, &["inspect", "square.json", "--center-first"]);
     assert!(refused.stderr.contains("--center-first are for tables, arrays and lists"), "{}", refused.stderr);
+}
+
+/// The Hausdorff distance is exact for bodies of few facets, says which body contains which, and is checked; a pose
+/// that doubles do not hold is rounded, and the summary says by how much.
+#[test]
+fn hausdorff_distance_of_two_bodies() {
+    let large = r#"{"c": [0, 0], "G": [[3, 0], [0, 1]]}"#;
+    let folder = folder(&[("a.json", SQUARE), ("b.json", large)]);
+    let folder = folder.path();
+    let outcome = good(folder, &["hausdorff", "a.json", "b.json"]);
+    has(&outcome, "distance      2.0, between 2.0 and 2.0: no point of one body is farther than that from the other");
+    has(&outcome, "containment   b contains a");
+    has(&outcome, "certificate   checked: containment; the distance is 2.0 to 2.0");
+    has(&good(folder, &["hausdorff", "b.json", "a.json"]), "containment   b does not contain a");
+    let same = good(folder, &["hausdorff", "a.json", "a.json"]);
+    assert!(same.stdout.contains("distance      0.0, between 0.0 and 0.0: "), "{}", same.stdout);
+    assert!(!same.stdout.contains("direction"), "equal bodies differ in no direction");
+    let turned = good(folder, &["hausdorff", "a.json", "b.json", "--turn-b", "30"]);
+    let rounded = "rounded b     the body under the pose is taken in doubles, no point of it farther off than ";
+    assert!(turned.stdout.contains(rounded), "{}", turned.stdout);
 }

@@ -40,9 +40,9 @@ fn holds(script: &str) -> String {
 }
 
 #[test]
-fn the_script_of_the_readme_prints_what_it_says() {
-    let readme = fs::read_to_string(root().join("README.md")).expect("the README is there");
-    let (_, rest) = readme.split_once("```python\n").expect("the README has a script in Python");
+fn the_script_of_the_manual_prints_what_it_says() {
+    let manual = fs::read_to_string(root().join("workbench/zonobench/MANUAL.md")).expect("the manual is there");
+    let (_, rest) = manual.split_once("```python\n").expect("the manual has a script in Python");
     let (script, _) = rest.split_once("```").expect("the script ends");
     let said: Vec<&str> = script
         .lines()

@@ -1,4 +1,4 @@
-//! `collide`: motions from files and options, the summary, and what is refused.
+//! `collide` and `sweep`: motions from files and options, the summary, and what is refused.
 
 use std::fs;
 
@@ -59,6 +59,86 @@ fn a_bar_that_turns_beside_a_cube() {
         (&["--translation", "1,0,0", "--resolution", "2"], "resolution is 2.0, not from "),
     ] {
         let refused = run(folder, &[&["collide", "bar.json", "cube.json"], options].concat());
+        assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
+        assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
+    }
+}
+
+#[test]
+fn a_bar_that_sweeps() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let turn = r#"{"axis_point":[0,0,0],"axis":[0,0,-1],"angle":0.5,"translation":[0,0,2]}"#;
+    let extra = turn.replace("{\"axis_point\"", "{\"center\":[9,9,9],\"axis_point\"");
+    let lacking = turn.replace(",\"angle\":0.5", "");
+    for (name, content) in [
+        ("bar.json", BAR),
+        ("quarter.json", PIECES),
+        ("turn.json", turn),
+        ("extra.json", &extra),
+        ("lacking.json", &lacking),
+    ] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    let sweep = |options: &[&str]| run(folder, &[&["sweep", "bar.json"], options].concat());
+    let moved = sweep(&["--translation", "0,0,2", "--json", "moved.json"]);
+    assert_eq!(moved.status, 0, "{}", moved.stderr);
+    assert!(moved.stdout.contains("certificate   checked: "), "{}", moved.stdout);
+    let read = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&fs::read_to_string(folder.join(name)).expect("written")).expect("JSON")
+    };
+    assert_eq!(read("moved.json")["result"]["center"], serde_json::json!([0.0, 0.0, 1.0]), "half of the translation");
+
+    // a negative angle, the opposite axis and the file are one motion
+    let by_options = ["--axis", "0,0,1", "--angle", "-0.5", "--translation", "0,0,2", "--json", "options.json"];
+    assert_eq!(sweep(&by_options).status, 0);
+    let by_file = sweep(&["--motion", "turn.json", "--json", "file.json"]);
+    assert_eq!(by_file.status, 0, "{}", by_file.stderr);
+    assert_eq!(read("options.json")["result"], read("file.json")["result"]);
+    assert!(by_file.stdout.contains("added         3 generators: "), "{}", by_file.stdout);
+    let mesh = run(folder, &["inspect", "file.json", "--obj", "file.obj", "--ply", "file.ply", "--stl", "file.stl"]);
+    assert_eq!(mesh.status, 0, "the answer is read as a body: {}", mesh.stderr);
+    let direct = sweep(&["--motion", "turn.json", "--obj", "direct.obj", "--ply", "direct.ply", "--stl", "direct.stl"]);
+    assert_eq!(direct.status, 0, "{}", direct.stderr);
+    for format in ["obj", "ply", "stl"] {
+        let [read, written] = ["file", "direct"].map(|name| fs::read(folder.join(format!("{name}.{format}"))));
+        assert_eq!(read.expect("written"), written.expect("written"), "{format}");
+    }
+    let again = sweep(&["--motion", "turn.json", "--obj", "direct.obj"]);
+    assert_eq!(again.status, 1, "a file that exists is kept");
+    let volume = |line: &str| line.strip_prefix("volume").map(|line| line.trim().to_owned());
+    let measured = by_file.stdout.lines().find_map(volume).expect("a volume");
+    let inspected = mesh.stdout.lines().find_map(volume).expect("a volume");
+    let [of_answer, factor] = [0, 1].map(|part| measured.split(", ").nth(part).expect("two numbers"));
+    assert!(inspected.starts_with(of_answer) || inspected.contains(of_answer), "{inspected} and {measured}");
+    let factor: f64 = factor.split(' ').next().and_then(|number| number.parse().ok()).expect("a factor");
+    let own = 8.0 * 4.0 * 0.125 * 0.125;
+    let of_answer: f64 = of_answer.parse().expect("a number");
+    assert!((factor / (of_answer / own) - 1.0).abs() < 2e-5, "{measured}");
+
+    // every method has an answer that holds, and is asked again from the record of the answer
+    for method in ["by_farthest_vertex", "by_middle_placement", "by_least_rectangle", "by_least_zonogon", "by_shadow"] {
+        let file = format!("{method}.json");
+        let asked = sweep(&["--motion", "turn.json", "--method", method, "--json", &file]);
+        assert!(asked.stdout.contains("certificate   checked: "), "{method}: {}", asked.stdout);
+        assert!(asked.stdout.contains(&format!("method        {method}\n")), "{}", asked.stdout);
+        let verified = run(folder, &["verify", "bar.json", &file]);
+        assert_eq!(verified.status, 0, "{method}: {}{}", verified.stdout, verified.stderr);
+    }
+    let forged = fs::read_to_string(folder.join("file.json")).expect("written").replacen("0.5", "0.75", 1);
+    fs::write(folder.join("forged.json"), forged).expect("written");
+    let refused = run(folder, &["verify", "bar.json", "forged.json"]);
+    assert_eq!(refused.status, 1, "the answer to a smaller angle: {}", refused.stdout);
+
+    for (options, complaint) in [
+        (&["--motion", "quarter.json"][..], "`pieces`, while `sweep` takes one axis and one angle"),
+        (&["--motion", "extra.json"], "extra.json: extra field `center` in the motion"),
+        (&["--motion", "lacking.json"], "lacking.json: the motion has no field `angle`"),
+        (&["--axis", "0,0,0", "--angle", "1"], "axis of the rotation is zero"),
+        (&["--axis", "0,0,1", "--angle", "inf"], "angle"),
+        (&["--translation", "1.7e308,0,0", "--axis", "0,0,1", "--angle", "3", "--axis-point", "-1.7e308,0,0"], "range"),
+    ] {
+        let refused = sweep(options);
         assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
         assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
     }

@@ -38,7 +38,12 @@ fn tables() {
     refused("p.csv", "1,2\n3\n", &[], "p.csv: line 2, column 2: the row has 1 cells, not 2");
     refused("p.csv", "1,2\n3,4,5\n", &[], "p.csv: line 2, column 3: the row has 3 cells, not 2");
     refused("p.csv", "1,2\n,4\n", &[], &missing("line 2, column 1: the cell is empty"));
-    refused("p.csv", "a,b,c\n1,2,3\n", &[], "p.csv: has 3 column(s); choose two to four with --columns");
+    refused(
+        "p.csv",
+        "a,b,c\n1,2,3\n",
+        &[],
+        "p.csv: has 3 column(s); choose two to four with --columns, such as --columns 1,2,3 or --columns 1,2",
+    );
     let missing = "p.csv: line 1: there is no column 'z'; the columns are a, b, c";
     refused("p.csv", "a,b,c\n1,2,3\n", &["--columns", "a,z"], missing);
     let missing = "p.csv: line 1: there is no column 4; the row has 3 cells";

@@ -140,8 +140,8 @@ fn lengths_along_any_direction() {
     refusal(
         &line,
         "too_large",
-        "20001 points, at most 20000 are taken in 4 dimensions; along given directions (min_length_dirs, enclose \
-         --directions) more are",
+        "20001 points, at most 20000 are taken in 4 dimensions; along given directions, such as `enclose --directions \
+         net:4` or the kind `min_length_dirs` has, more are, and a sample of them is enclosed sooner",
     );
     let line =
         r#"{"id":"q","kind":"min_length_all","method":"by_papers_net","input":{"points":[[0,0,0]],"epsilon":0.01}}"#;

@@ -11,7 +11,7 @@ use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
-    let wrong: [&[&str]; 29] = [
+    let wrong: [&[&str]; 33] = [
         &[],
         &["frobnicate"],
         &["enclose"],
@@ -24,10 +24,14 @@ fn usage_errors_have_status_2() {
         &["verify", "-", "-"],
         &["intersect", "-", "-", "--format", "csv"],
         &["distance", "-", "-", "--format", "json"],
+        &["hausdorff", "-", "-", "--format", "json"],
         &["collide", "a.json", "b.json"],
         &["collide", "a.json", "b.json", "--axis", "0,0,1"],
         &["collide", "a.json", "b.json", "--axis", "0,1", "--angle", "1"],
         &["collide", "a.json", "b.json", "--motion", "m.json", "--translation", "1,0,0"],
+        &["sweep", "a.json"],
+        &["sweep", "a.json", "--axis", "0,0,1"],
+        &["sweep", "a.json", "--angle", "1"],
         &["enclose", "-", "--format", "csv", "--directions", "-"],
         &["enclose", "p.csv", "--objective", "perimeter"],
         &["enclose", "p.csv", "--directions", "net:0"],
@@ -165,7 +169,7 @@ fn bodies_that_are_meant_otherwise_are_told() {
     assert_eq!((told.status, told.stderr.as_str()), (0, advice));
     let silent = run(folder, &["intersect", "rows.csv", "b.json"]);
     assert_eq!((silent.status, silent.stderr.as_str()), (0, ""));
-    for command in [&["intersect"][..], &["distance"], &["collide", "--translation", "1,0,0"]] {
+    for command in [&["intersect"][..], &["distance"], &["hausdorff"], &["collide", "--translation", "1,0,0"]] {
         let refused = run(folder, &[command, &["b.json", "space.json"]].concat());
         let complaint = "zonobench: b.json: has 2 coordinates, while space.json has 3\n";
         assert_eq!((refused.status, refused.stderr.as_str()), (1, complaint));

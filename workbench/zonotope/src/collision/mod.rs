@@ -55,4 +55,4 @@ pub use by_lad::{gauge, locate};
 pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness};
 pub use crate::zonotope::placed::{AtRest, Placed, Standing};
 pub use crate::zonotope::query::Query;
-pub use doors::{Finding, Method, MethodError};
+pub use doors::{Method, MethodError, PreparedFor};

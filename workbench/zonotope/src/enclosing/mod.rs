@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`centered_zonogon`] | the smallest zonogon with a given centre around points of the plane (4.1) |
 //! | [`bisectors`] | the lines ℓ_t at which its combinatorial description changes (4.1) |
+//! | [`area_function`] | the area of Z(O) along segments and by level sets, for pictures (4.1) |
 //! | [`min_area_zonogon`] | the zonogon of least area around points of the plane (4.1) |
 //! | [`fixed_directions`] | the smallest zonotope along given directions around points of any dimension (4.2) |
 //! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
@@ -24,10 +25,10 @@
 //! [`Enclosure`](fixed_directions::Enclosure) is the zonotope or the proof that there is none.
 
 mod answer;
+pub mod area_function;
 pub mod bisectors;
 mod boundary_vertex;
 pub mod centered_zonogon;
-mod cube_grids;
 pub mod fixed_directions;
 mod front;
 mod half_turn;

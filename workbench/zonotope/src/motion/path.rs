@@ -27,6 +27,7 @@ pub struct Motion(Kind);
 enum Kind {
     /// Pieces that follow each other from 0 to 1.
     Rational(Vec<Piece>),
+    /// One rotation at constant rate from 0 to 1.
     ConstantRate(Box<ConstantRate>),
 }
 
@@ -318,11 +319,10 @@ impl Motion {
         }
     }
 
+    /// The piece on which a stretch begins: of two that meet there the later one, at the time 1 the last one.
     fn piece_at<'a>(&self, pieces: &'a [Piece], [from, _]: [f64; 2]) -> &'a Piece {
         let next = pieces.partition_point(|piece| piece.from <= from).max(1);
-        let piece = &pieces[next - 1];
-        // the time 1 belongs to the last one, as do times that end another
-        piece
+        &pieces[next - 1]
     }
 }
 

@@ -11,7 +11,7 @@ use crate::numeric::linear::{dot, sum_norm};
 /// The placements x ↦ P(s) + R(q(s)) (x + w) for times between two: s is linear in the time, P(s) = base + s travel.
 /// The base and w are given times the weight, a positive number.
 #[derive(Debug, Clone)]
-struct Path<T> {
+struct Course<T> {
     times: [T; 2],
     turns: [Quaternion<T>; 2],
     base: [T; 3],
@@ -27,15 +27,16 @@ pub(super) struct Piece {
     pub(super) from: f64,
     /// The time at which it ends.
     pub(super) until: f64,
-    exact: Path<Dyadic>,
-    bounded: Path<Bounded>,
-    rounded: Path<f64>,
+    exact: Course<Dyadic>,
+    bounded: Course<Bounded>,
+    rounded: Course<f64>,
     /// |base|_1 + |travel|_1, rounded.
     base_size: f64,
     is_translation: bool,
 }
 
-/// Where a body stands that has gone through some pieces: x ↦ (B + R̃(q) x |…|)/β, as q, B and β: R(q) x + B/β.
+/// The placement of a body that has gone through some pieces: x ↦ R(q) x + B/β, by its quaternion q, the offset B and
+/// the weight β.
 #[derive(Debug, Clone)]
 pub(super) struct Standing {
     turn: Quaternion<Dyadic>,
@@ -69,7 +70,7 @@ impl Piece {
         let arm = image(&polar_rotation(&back, &back), &off);
         let turned = weight * &dot(turn, turn);
         let scaled = |v: &ExactVector| exact_linear::multiple(&turned, v);
-        let piece = Path {
+        let piece = Course {
             times: times.map(Dyadic::from_f64),
             turns: [composition(&from, turn), composition(&to, turn)],
             base: scaled(&point),
@@ -90,7 +91,7 @@ impl Piece {
     /// The piece between two poses, each a quaternion and a translation.
     pub(super) fn between_poses(times: [f64; 2], turns: [[f64; 4]; 2], [from, to]: [[f64; 3]; 2]) -> Self {
         let [base, end] = [from, to].map(exact);
-        let path = Path {
+        let course = Course {
             times: times.map(Dyadic::from_f64),
             turns: turns.map(|q| q.map(Dyadic::from_f64)),
             travel: exact_linear::difference(&end, &base),
@@ -98,29 +99,29 @@ impl Piece {
             arm: exact([0.0; 3]),
             weight: Dyadic::one(),
         };
-        Self::of(times, path)
+        Self::of(times, course)
     }
 
-    fn of([from, until]: [f64; 2], mut path: Path<Dyadic>) -> Self {
-        scale_down(path.turns.as_flattened_mut());
-        let is_translation = path.turns[0] == path.turns[1];
-        let rounded: Path<f64> = path.near();
+    fn of([from, until]: [f64; 2], mut course: Course<Dyadic>) -> Self {
+        scale_down(course.turns.as_flattened_mut());
+        let is_translation = course.turns[0] == course.turns[1];
+        let rounded: Course<f64> = course.near();
         let base_size = sum_norm(&rounded.base) + sum_norm(&rounded.travel);
-        Self { from, until, bounded: path.near(), rounded, base_size, exact: path, is_translation }
+        Self { from, until, bounded: course.near(), rounded, base_size, exact: course, is_translation }
     }
 
     /// The same piece with all lengths times a power of two.
     pub(super) fn scaled(&self, exponent: i64) -> Self {
-        let mut path = self.exact.clone();
-        for list in [&mut path.base, &mut path.travel, &mut path.arm] {
+        let mut course = self.exact.clone();
+        for list in [&mut course.base, &mut course.travel, &mut course.arm] {
             list.iter_mut().for_each(|c| *c = c.clone().scaled(exponent));
         }
-        Self::of([self.from, self.until], path)
+        Self::of([self.from, self.until], course)
     }
 
     /// The binary exponent of the largest length, or one more.
     pub(super) fn size_exponent(&self) -> Option<i64> {
-        let Path { base, travel, arm, weight, .. } = &self.exact;
+        let Course { base, travel, arm, weight, .. } = &self.exact;
         let largest = [base, travel, arm].into_iter().flatten().filter_map(Dyadic::binary_exponent).max()?;
         Some(largest - weight.binary_exponent()?)
     }
@@ -140,43 +141,42 @@ impl Piece {
         self.between(&self.rounded, times)
     }
 
-    /// The stretch of the piece between two of its times, in doubles.
+    /// The same in doubles with bounds.
     pub(super) fn arc(&self, times: [f64; 2]) -> Arc<Bounded> {
         self.between(&self.bounded, times)
     }
-}
 
-impl Piece {
-    /// The stretch between two times t of a path of the piece; the quaternions are times the length L of the path's
-    /// time, the base times L and the weight.
-    fn between<T: Scalar>(&self, path: &Path<T>, times: [f64; 2]) -> Arc<T> {
-        let [start, end] = &path.times;
+    /// The stretch between two times of the piece. Nothing is divided: with L the length of the piece's time,
+    /// s = (t − start) / L, and so the quaternions, the base and w are given times L, and the weight is L times the
+    /// course's own.
+    fn between<T: Scalar>(&self, course: &Course<T>, times: [f64; 2]) -> Arc<T> {
+        let [start, end] = &course.times;
         let length = end.minus(start);
-        let [from, to] = &path.turns;
+        let [from, to] = &course.turns;
         let turned = |t: f64| {
             let t = T::of(t);
             sum(&multiple(&end.minus(&t), from), &multiple(&t.minus(start), to))
         };
         let gone = |t: f64| {
             let passed = T::of(t).minus(start);
-            [0, 1, 2].map(|k| length.times(&path.base[k]).plus(&passed.times(&path.travel[k])))
+            [0, 1, 2].map(|k| length.times(&course.base[k]).plus(&passed.times(&course.travel[k])))
         };
         Arc {
             turns: if self.is_translation { [from.clone(), from.clone()] } else { times.map(turned) },
             base: times.map(gone),
             base_size: (self.until - self.from) * self.base_size,
-            arm: path.arm.each_ref().map(|c| length.times(c)),
-            weight: length.times(&path.weight),
+            arm: course.arm.each_ref().map(|c| length.times(c)),
+            weight: length.times(&course.weight),
             is_translation: self.is_translation,
         }
     }
 }
 
-impl Path<Dyadic> {
-    /// The path in doubles, with or without bounds.
-    fn near<T: Scalar>(&self) -> Path<T> {
+impl Course<Dyadic> {
+    /// The course in doubles, with or without bounds.
+    fn near<T: Scalar>(&self) -> Course<T> {
         let vector = |v: &ExactVector| v.each_ref().map(T::near);
-        Path {
+        Course {
             times: self.times.each_ref().map(T::near),
             turns: self.turns.each_ref().map(|q| q.each_ref().map(T::near)),
             base: vector(&self.base),

@@ -192,13 +192,6 @@ pub const CONTACT_ANGLE: f64 = power_of_two(-10);
 /// face in contact.
 pub const SEPARATING_DIRECTION_DOUBT: f64 = power_of_two(-30);
 
-/// By how much the product of a rounded vector with a direction of a cell may be off, beside |v|_1 for directions whose
-/// coordinates are at most 1.
-///
-/// The vector is within 4 ε = 8 u of the exact one in each coordinate, and the two products that are compared go
-/// through four roundings each; 32 u exceeds that and the rounding of the bound.
-pub const CELL_ROUNDING: f64 = 32.0 * UNIT;
-
 /// The angle by which a direction that was rounded from exact coordinates may be off, in terms of 1, with room for the
 /// signs that generators nearly orthogonal to it have for its neighbours: each coordinate is off by at most 2^-50.
 pub const EXACT_DIRECTION_ROUNDING: f64 = power_of_two(-44);

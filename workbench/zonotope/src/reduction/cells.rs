@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::numeric::scaling::largest_magnitude;
 use crate::tally::{Operation, Tally};
+use crate::zonotope::directions::cube_faces::{cell_at, face_of, middle_of};
 
 /// The finest grid: indices of cells along a side fit in 32 bits.
 pub(super) const SIDE_LIMIT: u32 = 1 << 31;
@@ -40,17 +40,14 @@ pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32, tally: &mut
     tally.add(Operation::GeneratorRead, vectors.len() as u64);
     tally.add(Operation::Comparison, comparisons);
     let middle = |(axis, place): (usize, Place<D>)| {
-        let along = |k: usize| (2.0 * f64::from(place[k]) + 1.0) / f64::from(side) - 1.0;
-        std::array::from_fn(|k| if k == axis { 1.0 } else { along(k) })
+        std::array::from_fn(|k| if k == axis { 1.0 } else { middle_of(place[k], side) })
     };
     found.into_iter().map(|(place, members)| Cell { middle: middle(place), members }).collect()
 }
 
 /// The face's axis and the cell through which a ray leaves the cube; none for the vector zero.
 fn place<const D: usize>(vector: &[f64; D], side: u32) -> Option<(usize, Place<D>)> {
-    let largest = largest_magnitude(vector);
-    let axis = vector.iter().position(|c| c.abs() == largest)?;
-    let part = |c: f64| (((c / vector[axis] + 1.0) * 0.5 * f64::from(side)) as u32).min(side - 1);
-    let place = std::array::from_fn(|k| if k == axis { 0 } else { part(vector[k]) });
-    (largest > 0.0).then_some((axis, place))
+    let axis = face_of(vector)?;
+    let part = |k: usize| if k == axis { 0 } else { cell_at(vector[k] / vector[axis], side) };
+    Some((axis, std::array::from_fn(part)))
 }

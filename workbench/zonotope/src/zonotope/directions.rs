@@ -1,4 +1,7 @@
-//! The directions of generators: zero generators left out, parallel ones together, decided exactly.
+//! The directions of generators: zero generators left out, parallel ones together, decided exactly. The folder has the
+//! faces of a cube, which meet every line through the origin.
+
+pub(crate) mod cube_faces;
 
 use std::cmp::Ordering;
 

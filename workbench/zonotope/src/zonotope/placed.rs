@@ -179,7 +179,7 @@ impl<'a, const D: usize, P: Standing> Placed<'a, D, P> {
 
 impl<'a, P: Standing> Placed<'a, 3, P> {
     /// The body with its centre where it stands at a place of finite coordinates.
-    pub(crate) fn centred_at(self, place: [f64; 3]) -> Self {
+    pub(crate) fn centered_at(self, place: [f64; 3]) -> Self {
         let center = if P::IS_FIXED { place } else { [0.0; 3] };
         Self { center, standing: self.standing.with_translation(place), ..self }
     }

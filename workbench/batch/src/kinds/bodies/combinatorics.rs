@@ -43,7 +43,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let stretch = placement.exact().determinant().abs();
     // A regular matrix keeps all faces and stretches the volume; a body that it flattens is counted as its image.
     let body = if stretch.is_zero() {
-        placement.image(&body).ok_or_else(|| image_not_held(&fields.place_of("pose")))?
+        placement.image(&body).ok_or_else(|| image_not_held(&fields.place_of("pose"), D))?
     } else {
         body
     };

@@ -37,9 +37,11 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     let has_pose = bodies.iter().any(Fields::has_pose);
     let result = match bodies[0].dimension("center")? {
+        #[cfg(feature = "every-dimension")]
         1 if has_pose => under_poses::<1>(&bodies)?,
         2 if has_pose => under_poses::<2>(&bodies)?,
         3 if has_pose => under_poses::<3>(&bodies)?,
+        #[cfg(feature = "every-dimension")]
         1 => in_space::<1>(&bodies)?,
         2 => in_space::<2>(&bodies)?,
         3 => in_space::<3>(&bodies)?,

@@ -1,9 +1,11 @@
 //! `member_batch`: where many points lie relative to one zonotope.
 
 use serde_json::{Value, json};
-use zonotope::collision::prepared::DirectionTree;
+#[cfg(feature = "every-dimension")]
+use zonotope::collision::by_lad_in_r4;
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;
-use zonotope::collision::{Gauge, Query, Status, by_lad, by_lad_in_r4};
+use zonotope::collision::prepared::{DirectionTree, PreparedByFacets};
+use zonotope::collision::{Gauge, Query, Status, by_lad};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
@@ -21,7 +23,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     summary: "status and gauge of many points relative to one zonotope",
     fields: &["center", "generators", "points"],
     optional: &["pose"],
-    methods: || vec![BY_LAD, BY_DIRECTION_TREE, BY_CUTTING],
+    methods: || vec![BY_LAD, BY_DIRECTION_TREE, BY_CUTTING, BY_FACETS],
     solve,
     check,
 };
@@ -32,12 +34,16 @@ const BY_LAD: &str = "by_lad";
 /// Structures for bodies of space.
 const BY_DIRECTION_TREE: &str = "by_direction_tree";
 const BY_CUTTING: &str = "by_cutting";
+const BY_FACETS: &str = "by_facets";
 
 /// The most pairs of a point and a generator that are taken without a structure.
 const PAIR_LIMIT: usize = 1_000_000_000;
 
 /// The most generators of which a cutting is made.
 const CUTTING_LIMIT: usize = 2_000;
+
+/// The most generators of which all facets are listed, in time that grows with the third power.
+const FACETS_LIMIT: usize = 200;
 
 /// The answer on each point, and the operations that it took to prepare for the points and to answer.
 struct Answers {
@@ -54,18 +60,22 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
             let message = format!("`{method}` does not take a body under a pose; {BY_LAD} does");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
+        #[cfg(feature = "every-dimension")]
         1 if fields.has_pose() => under_pose::<1>(fields)?,
         2 if fields.has_pose() => under_pose::<2>(fields)?,
         3 if fields.has_pose() => under_pose::<3>(fields)?,
         3 if method == BY_DIRECTION_TREE => by_direction_tree(fields)?,
         3 if method == BY_CUTTING => by_cutting(fields, seed)?,
+        3 if method == BY_FACETS => by_facets(fields)?,
         1..=4 if method != BY_LAD => {
             let message = format!("`{method}` does not answer in {dimension} dimensions; {BY_LAD} would");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
+        #[cfg(feature = "every-dimension")]
         1 => in_space::<1>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
         2 => in_space::<2>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
         3 => in_space::<3>(fields, |query, counts| by_lad::nearest_gauge(query, counts))?,
+        #[cfg(feature = "every-dimension")]
         4 => in_space::<4>(fields, by_lad_in_r4::gauge)?,
         other => return Err(refused("center", other, 4)),
     };
@@ -128,12 +138,8 @@ fn by_direction_tree(fields: &Fields<'_>) -> Result<Answers, Refusal> {
 
 /// With n generators, in a space of about n √n.
 fn by_cutting(fields: &Fields<'_>, seed: u64) -> Result<Answers, Refusal> {
-    let (body, points) = space(fields)?;
+    let (body, points) = space_of_few(fields, BY_CUTTING, CUTTING_LIMIT)?;
     let generators = body.generators().len();
-    if generators > CUTTING_LIMIT {
-        let message = format!("{generators} generators, at most {CUTTING_LIMIT} are taken by `{BY_CUTTING}`");
-        return Err(Refusal::new(Code::TooLarge, message));
-    }
     let (mut build, mut counts) = (OperationCounts::default(), OperationCounts::default());
     let space = generators * generators.isqrt();
     let prepared = PreparedByCutting::new(body, space as u64, seed, &mut build)
@@ -143,6 +149,30 @@ fn by_cutting(fields: &Fields<'_>, seed: u64) -> Result<Answers, Refusal> {
         (facet.status(), facet.value().0)
     });
     Ok(Answers { found: found.collect(), build: total(&build), query: total(&counts) })
+}
+
+/// Building looks at every generator along every facet's normal, a query at every facet.
+fn by_facets(fields: &Fields<'_>) -> Result<Answers, Refusal> {
+    let (body, points) = space_of_few(fields, BY_FACETS, FACETS_LIMIT)?;
+    let generators = body.generators().len();
+    let facets = PreparedByFacets::new(body);
+    let query = facets.facet_count() * points.len();
+    let found = points.into_iter().map(|point| {
+        let known = facets.status(point).and_then(|status| Ok((status, facets.gauge(point)?.0)));
+        known.expect("the numbers of a question are finite")
+    });
+    let build = facets.facet_count() * generators;
+    Ok(Answers { found: found.collect(), build: build as u64, query: query as u64 })
+}
+
+fn space_of_few(fields: &Fields<'_>, method: &str, limit: usize) -> Result<(Zonotope<3>, Vec<[f64; 3]>), Refusal> {
+    let (body, points) = space(fields)?;
+    let generators = body.generators().len();
+    if generators > limit {
+        let message = format!("{generators} generators, at most {limit} are taken by `{method}`");
+        return Err(Refusal::new(Code::TooLarge, message));
+    }
+    Ok((body, points))
 }
 
 fn space(fields: &Fields<'_>) -> Result<(Zonotope<3>, Vec<[f64; 3]>), Refusal> {

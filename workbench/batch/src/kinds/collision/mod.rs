@@ -9,7 +9,7 @@ mod posed;
 mod proof;
 
 use serde_json::{Value, json};
-use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, by_lad};
+use zonotope::collision::{Gauge, Location, Method, Query, Separation, by_lad};
 
 use self::posed::{Posed, Prism, SPACE};
 use crate::json::vector_to_json;
@@ -83,10 +83,7 @@ fn locate<const D: usize>(
     question: &Query<'_, D>,
     seed: u64,
 ) -> Result<(Method, Location<D>), Refusal> {
-    let find = |method: Method| match method.locate(question, seed, &mut ()) {
-        Ok(Finding::Located(location)) => Some(location),
-        Ok(Finding::Member(_) | Finding::Undecided) | Err(_) => None,
-    };
+    let find = |method: Method| method.locate(question, seed, &mut ()).ok().flatten();
     if let Some(location) = find(method) {
         return Ok((method, location.with_nearest_basis(question)));
     }

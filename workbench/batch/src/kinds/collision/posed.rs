@@ -14,13 +14,11 @@ use zonotope::collision::distance::FeatureKind;
 use zonotope::collision::{Gauge, Location, Query, Separation, Witness};
 use zonotope::zonotope::Zonotope;
 
+pub(super) use crate::fields::SPACE;
 use crate::fields::{Fields, image_not_held};
 use crate::place::Place;
 use crate::placement::Placement;
 use crate::refusal::Refusal;
-
-/// The number of coordinates up to which poses are a part of the question.
-pub(super) const SPACE: usize = 3;
 
 /// The names of faces by their dimension.
 const FEATURES: [FeatureKind; 3] = [FeatureKind::Vertex, FeatureKind::Edge, FeatureKind::Facet];
@@ -52,7 +50,7 @@ impl<const D: usize> Posed<D> {
 
     /// The image, if doubles hold it; else a refusal, as no other image is taken in so many dimensions.
     pub(super) fn image(&self) -> Result<Zonotope<D>, Refusal> {
-        self.placement.image(&self.body).ok_or_else(|| image_not_held(&self.place))
+        self.placement.image(&self.body).ok_or_else(|| image_not_held(&self.place, D))
     }
 
     /// More than the width of the image along any axis; infinite beyond the range of doubles.

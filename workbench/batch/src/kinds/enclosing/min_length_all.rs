@@ -38,15 +38,17 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
             return Err(Refusal::bad_input(format!("`objective` is \"{other}\", neither length nor volume{near}")));
         }
     };
-    let result = match fields.dimension_of_first("points")?.unwrap_or(1) {
+    let result = match fields.dimension_of_first("points")?.unwrap_or(2) {
         3 if is_volume => of_less_volume(fields, method)?,
         other if is_volume => {
             let message = format!("points with {other} coordinates, the volume is made less around points with 3");
             return Err(Refusal::bad_input(message));
         }
+        #[cfg(feature = "every-dimension")]
         1 => of_length::<1>(fields, method)?,
         2 => of_length::<2>(fields, method)?,
         3 => of_length::<3>(fields, method)?,
+        #[cfg(feature = "every-dimension")]
         4 => of_length::<4>(fields, method)?,
         other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };
@@ -79,8 +81,8 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found
     let most = POINT_LIMITS[D - 1];
     if points.len() > most {
         let message = format!(
-            "{}, at most {most} are taken in {D} dimensions; along given directions (min_length_dirs, enclose \
-             --directions) more are",
+            "{}, at most {most} are taken in {D} dimensions; along given directions, such as `enclose --directions \
+             net:4` or the kind `min_length_dirs` has, more are, and a sample of them is enclosed sooner",
             outer.described()
         );
         return Err(Refusal::new(Code::TooLarge, message));

@@ -43,12 +43,14 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     let (dimension, named) = match (of_points, fields.dimension_of_first("directions")?) {
         (Some(dimension), _) => (dimension, "point 1"),
         (None, Some(dimension)) => (dimension, "direction 1"),
-        (None, None) => (1, "point 1"),
+        (None, None) => (2, "point 1"),
     };
     let result = match dimension {
+        #[cfg(feature = "every-dimension")]
         1 => in_space::<1>(fields, method)?,
         2 => in_space::<2>(fields, method)?,
         3 => in_space::<3>(fields, method)?,
+        #[cfg(feature = "every-dimension")]
         4 => in_space::<4>(fields, method)?,
         other => return Err(refused(named, other, COORDINATE_LIMIT)),
     };

@@ -39,7 +39,13 @@ impl<const D: usize> OuterPoints<D> {
     /// The name of the points in a refusal.
     pub(super) fn described(&self) -> String {
         let count = self.points.len();
-        if self.places.is_some() { format!("{count} corners of the points' hull") } else { format!("{count} points") }
+        match &self.places {
+            Some(_) => format!("{count} corners of the points' hull"),
+            None if (2..=3).contains(&D) && count >= HULL_POINTS => {
+                format!("{count} points, of which their hull leaves out none")
+            }
+            None => format!("{count} points"),
+        }
     }
 }
 

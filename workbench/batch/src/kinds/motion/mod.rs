@@ -4,3 +4,5 @@ mod claimed_contact;
 pub(super) mod collide;
 mod stated;
 pub(super) mod sweep;
+
+pub use stated::read_motion;

@@ -3,6 +3,7 @@
 use zonotope::motion::{Motion, MotionError, MotionPiece};
 
 use crate::fields::Fields;
+use crate::json::Tree;
 use crate::place::Place;
 use crate::refusal::{Code, Refusal};
 
@@ -17,6 +18,14 @@ const PIECE: [&str; 5] = ["until", "from", "to", "axis_point", "translation"];
 
 /// The most pieces of a motion: each is applied after those before it, exactly, so that its numbers are as much longer.
 const PIECE_LIMIT: usize = 1_000;
+
+/// The motion of an object that holds one as a question has it, under `motion`; without one the body rests.
+///
+/// # Errors
+/// A refusal that names the place in the motion.
+pub fn read_motion(holder: &Tree) -> Result<Motion, Refusal> {
+    motion(&Fields::of_input(holder, &[], &["motion"])?, "motion")
+}
 
 /// The motion under a name that may be absent: then the body rests.
 pub(super) fn motion(fields: &Fields<'_>, name: &str) -> Result<Motion, Refusal> {

@@ -11,9 +11,10 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::{Value, json};
 
-pub(super) use self::request::{About, BodyFile, Recorded, record};
+pub(super) use self::request::{About, BodyFile, Recorded, SWEEP_FIELDS, record};
 use super::table::counted;
 use crate::input::{Body, Format, Placed};
+use crate::progress::Progress;
 
 /// A question with its answer.
 pub(super) struct Asked {
@@ -33,6 +34,7 @@ impl Asked {
 
     /// Asks; the answer may be a refusal.
     pub(super) fn even_if_refused(question: Value) -> Self {
+        let _progress = Progress::of(1, "solving");
         let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
         Self { question, answer }
     }
@@ -44,6 +46,7 @@ impl Asked {
 
     /// The verdict of the verifier, which shares no code with the solvers, on the answer.
     pub(super) fn verdict(&self) -> Verdict {
+        let _progress = Progress::of(1, "checking");
         batch::verify(&self.question.to_string(), &self.answer.to_string())
     }
 

@@ -14,10 +14,14 @@ pub(crate) enum About {
     Intersect,
     /// The distance of two bodies.
     Distance,
+    /// The Hausdorff distance of two bodies.
+    Hausdorff,
     /// When two moving bodies meet first.
     Collide,
     /// Which points a body contains.
     Contains,
+    /// A body around all placements of a body.
+    Sweep,
     /// A body of few generators.
     Reduce,
     /// The faces of a body.
@@ -50,15 +54,25 @@ impl Role {
 }
 
 impl About {
-    const ALL: [Self; 6] =
-        [Self::Intersect, Self::Distance, Self::Collide, Self::Contains, Self::Reduce, Self::Inspect];
+    const ALL: [Self; 8] = [
+        Self::Intersect,
+        Self::Distance,
+        Self::Hausdorff,
+        Self::Collide,
+        Self::Sweep,
+        Self::Contains,
+        Self::Reduce,
+        Self::Inspect,
+    ];
 
     /// The command, and the kind of its question.
     fn names(self) -> [&'static str; 2] {
         match self {
             Self::Intersect => ["intersect", "intersect"],
             Self::Distance => ["distance", "distance"],
+            Self::Hausdorff => ["hausdorff", "hausdorff"],
             Self::Collide => ["collide", "collide"],
+            Self::Sweep => ["sweep", "sweep"],
             Self::Contains => ["contains", "member_batch"],
             Self::Reduce => ["reduce", "reduce"],
             Self::Inspect => ["inspect", "combinatorics"],
@@ -79,15 +93,20 @@ impl About {
     /// The files that it is about, in the order of the command line.
     fn roles(self) -> &'static [Role] {
         match self {
-            Self::Intersect | Self::Distance | Self::Collide => &[Role::A, Role::B],
+            Self::Intersect | Self::Distance | Self::Hausdorff | Self::Collide => &[Role::A, Role::B],
             Self::Contains => &[Role::Body, Role::Points],
-            Self::Reduce | Self::Inspect => &[Role::Body],
+            Self::Sweep | Self::Reduce | Self::Inspect => &[Role::Body],
         }
     }
 
     /// Whether each of the files is one of a body.
     pub(crate) fn are_bodies(self) -> impl Iterator<Item = bool> {
         self.roles().iter().map(|&role| role != Role::Points)
+    }
+
+    /// Whether the question is about bodies in doubles: images under poses are rounded to the nearest.
+    pub(crate) fn takes_rounded(self) -> bool {
+        matches!(self, Self::Hausdorff | Self::Sweep | Self::Reduce)
     }
 
     /// The question about bodies, and points, in the format of `solve`; of `reduce` with its count and its rule.
@@ -99,7 +118,7 @@ impl About {
         reduction: Option<(u64, &str)>,
     ) -> Value {
         let mut input = match (self, bodies) {
-            (Self::Intersect | Self::Distance | Self::Collide, [a, b]) => json!({"a": a, "b": b}),
+            (Self::Intersect | Self::Distance | Self::Hausdorff | Self::Collide, [a, b]) => json!({"a": a, "b": b}),
             (Self::Inspect, [body]) => match body.get("pose") {
                 Some(pose) => json!({"generators": body["generators"], "pose": pose}),
                 None => json!({"generators": body["generators"]}),
@@ -126,6 +145,9 @@ pub(crate) struct BodyFile {
     /// Which vectors of a table or of an array are generators.
     pub(crate) layout: Layout,
 }
+
+/// The fields of a question that state the motion of a sweep; a request has them as well.
+pub(crate) const SWEEP_FIELDS: [&str; 4] = ["axis_point", "axis", "angle", "translation"];
 
 /// The fields of the record of a file with a body.
 const BODY_FIELDS: [&str; 5] = ["format", COLUMNS_ARE_GENERATORS, CENTER_FIRST, "pose", "sha256"];
@@ -182,7 +204,7 @@ pub(crate) struct Recorded {
     pub(crate) files: Vec<RecordedFile>,
     /// The most generators and the rule of a reduction.
     pub(crate) reduction: Option<(u64, String)>,
-    /// The motions of two bodies, and the resolution if one was asked for: further fields of the question.
+    /// The motions of bodies, and the resolution if one was asked for: further fields of the question.
     pub(crate) step: Vec<(&'static str, Value)>,
     /// The first field that no request has.
     pub(crate) unknown: Option<String>,
@@ -221,7 +243,11 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         recorded.unknown = recorded.unknown.take().or(other.map(|name| format!("{place}{name}")));
     };
     let roles: Vec<&str> = about.roles().iter().map(|role| role.field()).collect();
-    note_unknown(request, &[&roles[..], &["command", "count", "rule", "motion", "resolution"]].concat(), "");
+    note_unknown(
+        request,
+        &[&roles[..], &["command", "count", "rule", "motion", "resolution"], &SWEEP_FIELDS].concat(),
+        "",
+    );
     for &role in about.roles() {
         let record = request.field(role.field()).ok_or(RecordError(role.field()))?;
         let known = if role == Role::Points { &POINT_FIELDS[..] } else { &BODY_FIELDS };
@@ -247,6 +273,12 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         let motion = request.field("motion").ok_or(RecordError("motion"))?;
         let resolution = request.field("resolution").map(|resolution| ("resolution", value_of(resolution)));
         recorded.step = [("motion", value_of(motion))].into_iter().chain(resolution).collect();
+    }
+    if about == About::Sweep {
+        for name in SWEEP_FIELDS {
+            let value = request.field(name).ok_or(RecordError(name))?;
+            recorded.step.push((name, value_of(value)));
+        }
     }
     Ok(recorded)
 }

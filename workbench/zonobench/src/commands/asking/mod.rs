@@ -27,8 +27,8 @@ pub struct Asking {
     /// The objective: the area (in the plane), the total length of the generators, or the volume (in space).
     ///
     /// Of the volume a local minimum is found. Without this option it is the area of points of the plane, and the
-    /// length of points of space (a mesh, or columns named x, y and z) and where three or four columns, directions, a
-    /// precision or a number of generators are given.
+    /// length of points of space (a mesh, or three columns) and where three or four columns are chosen, or directions,
+    /// a precision or a number of generators are given.
     #[arg(long)]
     objective: Option<Objective>,
     /// Use these directions alone: the rows of a file, the coordinate axes, or a net of K cells a side.
@@ -137,7 +137,8 @@ impl Asking {
     /// plane and the length of points of space.
     pub(super) fn read(&self, file: &Path) -> anyhow::Result<(Reading, Objective)> {
         let stated = self.stated_objective(file)?;
-        let wanted = match stated {
+        // Only a stated objective says how many coordinates there are, whatever else is asked for.
+        let wanted = match self.objective {
             Some(Objective::Area) => Wanted::Planar,
             Some(Objective::Length | Objective::Volume) => Wanted::Any,
             None => Wanted::PlaneOrSpace,

@@ -4,8 +4,9 @@ use serde_json::Value;
 
 use super::options::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
+use crate::commands::motion::turn_in_words;
 use crate::commands::placing::describe;
-use crate::commands::table::{Table, at_most, counted, figure, in_full, tuple, with_six_digits};
+use crate::commands::table::{Table, at_most, counted, in_full, tuple, with_six_digits};
 use crate::input::Placed;
 use batch::Verdict;
 
@@ -91,12 +92,6 @@ fn in_words(motion: &Value) -> String {
                 _ => format!("{count} with quaternions that go linearly"),
             }
         }
-        None => format!(
-            "{} radians about the axis {} through {}, {}, at constant rate",
-            figure(float(&motion["angle"])),
-            tuple(&floats(&motion["axis"])),
-            tuple(&floats(&motion["axis_point"])),
-            moved(motion)
-        ),
+        None => format!("{}, at constant rate", turn_in_words(motion)),
     }
 }

@@ -1,5 +1,7 @@
 //! `zonobench draw`: a reader's own data in the pictures of the paper.
 
+mod moving;
+
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -10,7 +12,8 @@ use figures::own_data;
 
 use super::Ending;
 use super::asking::PointOptions;
-use super::placing::{Placing, in_words, rounded_in_words};
+use super::collide::Step;
+use super::placing::{Placing, PlacingOfSecond, in_words, rounded_in_words};
 use super::usage::question_name;
 use super::usage::{Usage, check_inputs, check_names, tell};
 use crate::input::{Body, OptionNames, Points, RoundedBody, Wanted};
@@ -23,13 +26,19 @@ pub struct Options {
     what: Picture,
     /// The data: a zonotope of space, or points of the plane; `-` is standard input.
     ///
-    /// The tiling, the arrangement, the separators and a search with --point are those of a zonotope (csv, json, npy).
-    /// The zonogon and a search without it are those of points.
+    /// The tiling, the arrangement, the separators, a motion and a search with --point are those of a zonotope (csv,
+    /// json, npy). The zonogon and a search without it are those of points.
     file: PathBuf,
+    /// The second zonotope of a motion, which the first one may meet.
+    other: Option<PathBuf>,
     #[command(flatten)]
     reading: PointOptions,
     #[command(flatten)]
     placing: Placing,
+    #[command(flatten)]
+    placing_of_b: PlacingOfSecond,
+    #[command(flatten)]
+    step: Step,
     /// Search for this point in the tiling of a zonotope (Theorem 5.2).
     ///
     /// Without it, the search is for the centre of the smallest zonogon around points (Theorem 4.5).
@@ -59,6 +68,8 @@ enum Picture {
     Search,
     /// The lines of a polygon with the area of its zonogons over their centres.
     Zonogon,
+    /// A body in motion in the volume around all its placements, or two bodies with the proof that they do not meet.
+    Motion,
 }
 
 /// Three finite coordinates.
@@ -84,6 +95,7 @@ impl fmt::Display for Picture {
             Self::Separators => "separators",
             Self::Search => "search",
             Self::Zonogon => "zonogon",
+            Self::Motion => "motion",
         })
     }
 }
@@ -92,12 +104,17 @@ impl fmt::Display for Picture {
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_usage(options)?;
     check_names(&[("SVG", Some(&options.svg))])?;
-    let inputs = options.placing.inputs(&options.file);
+    let of_b = options.placing_of_b.placing();
+    let of_b = options.other.as_deref().map(|other| of_b.inputs(other)).unwrap_or_default();
+    let inputs = [options.placing.inputs(&options.file), of_b, options.step.inputs()].concat();
     check_inputs(&inputs)?;
     let outputs = Outputs::checked([&options.svg], &inputs, Existing::from_force(options.force))?;
     let name = question_name(&options.file);
-    let (svg, more) =
-        if shows_body(options) { of_body(options, &name)? } else { (of_points(options, &name)?, String::new()) };
+    let (svg, more) = match options.what {
+        Picture::Motion => moving::picture(options, &name)?,
+        _ if shows_body(options) => of_body(options, &name)?,
+        _ => (of_points(options, &name)?, String::new()),
+    };
     outputs.write(&options.svg, svg.as_bytes())?;
     outputs.tell(&format!("{} of {name} in {}\n{more}", options.what, options.svg.display()))?;
     Ok(Ending::Good)
@@ -106,7 +123,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
 /// Whether the picture is one of generators of space.
 fn shows_body(options: &Options) -> bool {
     match options.what {
-        Picture::Tiling | Picture::Arrangement | Picture::Separators => true,
+        Picture::Tiling | Picture::Arrangement | Picture::Separators | Picture::Motion => true,
         Picture::Search => options.point.is_some(),
         Picture::Zonogon => false,
     }
@@ -120,6 +137,7 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
     if options.separator.is_some() && !matches!(options.what, Picture::Tiling | Picture::Arrangement) {
         return Err(Usage::not_applicable("--separator", "only the tiling and the arrangement show one separator"));
     }
+    check_motion(options)?;
     if shows_body(options) {
         if options.reading.columns.is_some() {
             return Err(Usage::not_applicable("--columns", "the rows of a zonotope are read whole"));
@@ -134,6 +152,23 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
         return Err(Usage::not_applicable(option, "it is for a zonotope, and the picture is one of points"));
     }
     Ok(())
+}
+
+/// Refuses a motion without one, and what is about a motion, or about a second body, where there is none.
+fn check_motion(options: &Options) -> Result<(), Usage> {
+    if options.what == Picture::Motion {
+        options.step.check()?;
+        let of_b = options.placing_of_b.given().or(options.step.given_of_b());
+        return match of_b.filter(|_| options.other.is_none()) {
+            Some(option) => Err(Usage::not_applicable(option, "there is no second zonotope")),
+            None => Ok(()),
+        };
+    }
+    let second = options.other.as_ref().map(|_| "a second file").or(options.placing_of_b.given());
+    match second.or(options.step.given()) {
+        Some(option) => Err(Usage::not_applicable(option, "it is for `draw motion`")),
+        None => Ok(()),
+    }
 }
 
 /// The picture, and what is to be said of the body's pose.

@@ -8,8 +8,8 @@ use super::summary::verification;
 use super::{comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
-use crate::commands::inspect::export;
-use crate::commands::table::{Table, at_most, counted, figure, lower_bound, position, with_six_digits};
+use crate::commands::mesh_files::mesh;
+use crate::commands::table::{Table, counted, factor_at_most, figure, lower_bound, position, with_six_digits};
 use crate::commands::usage::question_name;
 use crate::input::{Body, Reading, body_of_answer};
 use crate::output::{Outputs, Results};
@@ -52,7 +52,7 @@ pub(super) fn run(
     };
     let mut results = Results::default();
     results.add(options.svg.as_ref(), || Ok(solid::draw(&name, reading, drawn()?).into_bytes()));
-    results.add(options.obj.as_ref(), || Ok(export::mesh(&name, drawn()?, f64::MAX)?.to_obj().into_bytes()));
+    results.add(options.obj.as_ref(), || Ok(mesh(&name, drawn()?, f64::MAX)?.to_obj().into_bytes()));
     results.add(options.json.as_ref(), || Ok(format!("{answer}\n").into_bytes()));
     outputs.finish(results, &summary(options, reading, &question, &answer, body.as_ref(), &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
@@ -95,9 +95,17 @@ fn summary(
             true if is_asked("max_generators") => "; the shortest found with so few generators",
             true => "; above 1 + epsilon: the search ended before",
         };
-        table.row("ratio", format!("{}, proven: none is shorter by more{above}", at_most(ratio)));
+        let is_checked = match verdict {
+            Verdict::Right(_) => "proven: none is shorter by more",
+            _ => "by the lower bound of the answer",
+        };
+        table.row("ratio", format!("{}, {is_checked}{above}", factor_at_most(ratio)));
         if let Some(volume) = result["volume"].as_f64() {
-            table.row("volume", format!("{}, a local minimum: another zonotope may have less", figure(volume)));
+            let minimum = match volume {
+                0.0 => "the least that there is: the zonotope is flat",
+                _ => "a local minimum: another zonotope may have less",
+            };
+            table.row("volume", format!("{}, {minimum}", figure(volume)));
         }
         let is_least_length = directions.is_none() && !is_asked("objective");
         for (label, text) in comparison::rows(points, body, is_least_length) {
@@ -108,7 +116,7 @@ fn summary(
     }
     let certificate = match verdict {
         Verdict::Right(proved) => format!("checked, exactly: {}", with_six_digits(proved)),
-        Verdict::Unchecked(reason) => format!("not checked: {reason}"),
+        Verdict::Unchecked(reason) => format!("not all was checked: {}", with_six_digits(reason)),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };
     table.row("certificate", certificate);

@@ -22,7 +22,16 @@ struct Size {
     length: f64,
 }
 
+/// A body whose measure is a smaller part of that of a cube as long has none beside the roundings of a hull's measure.
+const FLAT: f64 = 1e-14;
+
 impl Size {
+    /// Whether the measure is zero, or so small beside the length that it comes from roundings.
+    fn is_flat(&self, measure: &str) -> bool {
+        let powers = if measure == "area" { 2 } else { 3 };
+        self.measure <= FLAT * self.length.powi(powers)
+    }
+
     fn of_box<const D: usize>(found: &OrientedBox<D>) -> Self {
         let sides = found.half_sides.map(|half| 2.0 * half);
         Self { measure: sides.iter().product(), length: sides.iter().sum::<f64>() / 2.0 }
@@ -46,7 +55,7 @@ fn in_plane(points: &[[f64; 2]], body: &Body, is_least_length: bool) -> Vec<(&'s
     let axis_box = axis_box(&points);
     let advice = if is_least_length { advice("area", axis_box, zonogon) } else { String::new() };
     vec![
-        ("hull", format!("{} times the zonotope's area", ratio(hull, zonogon.measure))),
+        ("hull", hull_compared("area", hull, zonogon)),
         ("axis box", compared("area", axis_box, zonogon) + &advice),
         ("oriented box", format!("{}; none is smaller", compared("area", Size::of_box(&rectangle), zonogon))),
     ]
@@ -68,7 +77,7 @@ fn in_space(points: &[[f64; 3]], body: &Body, is_least_length: bool) -> Vec<(&'s
     let axis_box = axis_box(&corners);
     let advice = if is_least_length { advice("volume", axis_box, zonotope) } else { String::new() };
     let mut rows = vec![
-        ("hull", format!("{} times the zonotope's volume", ratio(hull, zonotope.measure))),
+        ("hull", hull_compared("volume", hull, zonotope)),
         ("axis box", compared("volume", axis_box, zonotope) + &advice),
     ];
     if let Some(mut found) = found {
@@ -80,8 +89,20 @@ fn in_space(points: &[[f64; 3]], body: &Body, is_least_length: bool) -> Vec<(&'s
 }
 
 fn compared(measure: &str, size: Size, body: Size) -> String {
-    let [larger, longer] = [ratio(size.measure, body.measure), ratio(size.length, body.length)];
-    format!("{larger} times the zonotope's {measure}, {longer} times its length")
+    let longer = ratio(size.length, body.length);
+    if body.is_flat(measure) {
+        format!("{longer} times the length of the zonotope, which is flat")
+    } else {
+        format!("{} times the zonotope's {measure}, {longer} times its length", ratio(size.measure, body.measure))
+    }
+}
+
+fn hull_compared(measure: &str, hull: f64, body: Size) -> String {
+    if body.is_flat(measure) {
+        "flat within rounding, as the zonotope is: volumes and areas of these do not compare".to_owned()
+    } else {
+        format!("{} times the zonotope's {measure}", ratio(hull, body.measure))
+    }
 }
 
 /// The advice where the box along the axes is smaller than a body of least length; nothing where it is not.
@@ -151,6 +172,18 @@ mod tests {
         assert!(!of_axis_box(&large, false).contains("objective"), "nothing else was asked for");
         let least = body(vec![vec![0.5, 0.0], vec![0.0, 0.5]]);
         assert!(!of_axis_box(&least, true).contains("objective"), "the box is no smaller");
+    }
+
+    #[test]
+    fn a_flat_body_has_no_ratio_of_measures() {
+        let size = |measure: f64| Size { measure, length: 2.0 };
+        for flat in [0.0, 1e-20] {
+            let told = [hull_compared("volume", 1e-17, size(flat)), compared("volume", size(1e-3), size(flat))];
+            assert!(told[0].starts_with("flat within rounding"), "{}", told[0]);
+            assert_eq!(told[1], "1.0000 times the length of the zonotope, which is flat");
+        }
+        assert_eq!(hull_compared("area", 1.0, size(2.0)), "0.5000 times the zonotope's area");
+        assert_eq!(compared("area", size(4.0), size(2.0)), "2.0000 times the zonotope's area, 1.0000 times its length");
     }
 
     #[test]

@@ -1,16 +1,12 @@
 //! `zonobench inspect`: what kind of body a zonotope is.
 
 mod drawing;
-pub(super) mod export;
 mod measures;
 mod options;
 mod summary;
 mod vertices;
 
 pub use self::options::Options;
-
-use anyhow::bail;
-use zonotope::zonotope::faces::FaceLattice;
 
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
@@ -20,6 +16,7 @@ use super::usage::question_name;
 use super::usage::{check_inputs, check_names, tell};
 use crate::input::{OptionNames, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
+use anyhow::bail;
 use batch::MAX_DIMENSION;
 use batch::Verdict;
 
@@ -31,13 +28,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         ("SVG", options.svg.as_ref()),
         ("JSON", options.json.as_ref()),
         ("JSON", options.question.as_ref()),
-        ("OBJ", options.obj.as_ref()),
-        ("PLY", options.ply.as_ref()),
-        ("STL", options.stl.as_ref()),
     ])?;
-    let meshes = [&options.obj, &options.ply, &options.stl];
+    check_names(&options.meshes.named())?;
     let outputs = [&options.svg, &options.json, &options.question, &options.vertices];
-    let outputs = outputs.into_iter().chain(meshes).flatten();
+    let outputs = outputs.into_iter().flatten().chain(options.meshes.files());
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
@@ -64,12 +58,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         let format = corners.map_or(VertexFormat::Csv, |(_, format)| format);
         Ok(format.text(&name, &body, tell)?.into_bytes())
     });
-    let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =
-        [|mesh| mesh.to_obj().into_bytes(), |mesh| mesh.to_ply().into_bytes(), FaceLattice::to_stl];
-    let largest = [f64::MAX, f64::MAX, f64::from(f32::MAX)];
-    for ((file, content), largest) in meshes.into_iter().zip(formats).zip(largest) {
-        results.add(file.as_ref(), || Ok(content(&export::mesh(&name, &body, largest)?)));
-    }
+    options.meshes.add_to(&mut results, &name, &body);
     results.add(options.question.as_ref(), || Ok(question));
     results.add(options.json.as_ref(), || Ok(answer));
     let verdict = asked.verdict();

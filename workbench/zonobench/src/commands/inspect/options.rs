@@ -1,6 +1,7 @@
 //! The options of the command `inspect`.
 
 use super::super::asked::body_formats;
+use super::super::mesh_files::MeshFiles;
 use super::super::placing::Placing;
 use crate::input::Format;
 use clap::Args;
@@ -27,15 +28,8 @@ pub struct Options {
     /// On standard output it is a table. Vertices that round to one point of doubles are written once.
     #[arg(long, value_name = "FILE")]
     pub(super) vertices: Option<PathBuf>,
-    /// Write a body of space as a mesh, Wavefront OBJ.
-    #[arg(long, value_name = "FILE")]
-    pub(super) obj: Option<PathBuf>,
-    /// Write a body of space as a mesh, PLY in text form.
-    #[arg(long, value_name = "FILE")]
-    pub(super) ply: Option<PathBuf>,
-    /// Write a body of space as a mesh of triangles, binary STL.
-    #[arg(long, value_name = "FILE")]
-    pub(super) stl: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) meshes: MeshFiles,
     /// Write the counts of faces, in the format of `solve`.
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,

@@ -248,6 +248,9 @@ fn input(
             let near = did_you_mean(wanted, base.real_inputs.iter().copied());
             return Err(refused(format!("`{wanted}` is neither a real input nor a file{near}")));
         }
+        if !takes(sorts, Sort::Points) {
+            return Err(refused(format!("`{}` takes generated families only, and no files of points", base.id)));
+        }
         let reading = PointSource::of_file(file).read(Wanted::Any)?;
         if let Some(remarks) = reading.remarks() {
             tell(&format!("{wanted}: {remarks}"));
@@ -258,6 +261,9 @@ fn input(
             Points::Four(points) => (Cloud::Four(points), Sort::Clouds),
             Points::Line(_) => return Err(refused(format!("`{wanted}` has one coordinate; inputs have two to four"))),
         };
+        if let Some(reason) = (base.refuses)(&points) {
+            return Err(refused(format!("`{}` does not take `{wanted}`: {reason}", base.id)));
+        }
         own.insert(wanted.clone(), OwnInput { name: wanted.clone(), points });
         Some(sort)
     };
@@ -298,7 +304,8 @@ mod tests {
         let file = folder.path().join("my.toml");
         fs::write(&file, text).expect("written");
         fs::write(folder.path().join("mine.csv"), "x,y\n0,0\n1,0\n0,1\n").expect("written");
-        fs::write(folder.path().join("mine.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
+        fs::write(folder.path().join("mine.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").expect("written");
+        fs::write(folder.path().join("flat.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
         let place = format!("{}: ", file.display());
         Config::read(&file).map_err(|error| error.to_string().replacen(&place, "", 1))
     }
@@ -335,6 +342,18 @@ mod tests {
             (hull("variants = [\"magic\"]"), "line 2, column 13: `hull-scaling` has no variant `magic`; they are by_"),
             (hull("inputs = [\"lost.csv\"]"), "line 2, column 11: `lost.csv` is neither a real input nor a file"),
             (hull("inputs = [\"mine.obj\"]"), "line 2, column 11: `hull-scaling` takes no inputs like `mine.obj`"),
+            (
+                "[experiment.enclosing-quality]\ninputs = [\"mine.csv\"]".to_owned(),
+                "line 2, column 11: `enclosing-quality` does not take `mine.csv`: it compares volumes, and",
+            ),
+            (
+                "[experiment.enclosing-quality]\ninputs = [\"flat.obj\"]".to_owned(),
+                "line 2, column 11: `enclosing-quality` does not take `flat.obj`: it compares volumes, and",
+            ),
+            (
+                "[experiment.collision-scaling]\ninputs = [\"mine.csv\"]".to_owned(),
+                "line 2, column 11: `collision-scaling` takes generated families only",
+            ),
             (hull("sizes = 8"), "line 2, column 9: invalid type: integer `8`, expected a sequence"),
             (
                 "[experiment.gauge-passes]\nrepetitions = 2\n".to_owned(),

@@ -133,7 +133,8 @@ fn write_all(
         }
     }
     if plan.is_whole() {
-        write("CLAIMS.md", paper_checks::markdown(&evidence.claims).as_bytes(), true)?;
+        let ledger = paper_checks::markdown(&evidence.claims, paper_checks::OF_A_RUN);
+        write("CLAIMS.md", ledger.as_bytes(), true)?;
     }
     write("CITATION.cff", report::CITATION.as_bytes(), true)?;
     write("report.html", report::report(evidence).as_bytes(), true)?;

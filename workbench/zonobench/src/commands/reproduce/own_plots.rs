@@ -38,7 +38,7 @@ pub(super) fn of(experiment: &'static Experiment, records: &Records) -> Vec<Draw
             description: figure.caption.into(),
             x_name: "size n".into(),
             x_scale: Scale::Logarithmic,
-            y_name: quantity.to_string(),
+            y_name: y_name(quantity),
             curves: placed.into_curves(),
             naming: Naming::Grouped,
         };
@@ -63,6 +63,14 @@ fn figure(experiment: &'static Experiment, quantity: Quantity, caption: String) 
         deterministic: !matches!(quantity, Quantity::Time(_)),
         // The plot is drawn from its experiment; by its name alone it has no records.
         draw: |_| Err(FigureError::NoSeries),
+    }
+}
+
+/// The name of the vertical axis: operations are counted together over all questions of an instance.
+fn y_name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::AllCounts => "operations of an instance, of all its questions together".to_owned(),
+        other => other.to_string(),
     }
 }
 
@@ -98,7 +106,7 @@ fn plot(experiment: &'static Experiment, quantity: Quantity) -> GrowthPlot {
         families: inputs.leak(),
         shows: |_, _| true,
         x_name: "size n",
-        y_name: quantity.to_string().leak(),
+        y_name: y_name(quantity).leak(),
         y_unit: 1.0,
         compared_with: None,
     }

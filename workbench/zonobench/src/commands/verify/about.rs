@@ -4,10 +4,13 @@
 //! its own, where it records none or was computed from other data: it is left unchecked. An answer that is right for
 //! the question at hand is right, wherever it comes from.
 
+use std::path::Path;
+
 use batch::json::Tree;
 use batch::{Verdict, check};
 
 use crate::commands::Ending;
+use crate::input::PointSource;
 
 /// The note on an answer to another question than the one at hand, as far as anyone knows.
 pub(super) const NO_RECORD: &str =
@@ -16,6 +19,23 @@ pub(super) const OTHER_DATA: &str = "the data are not those that the answer was 
 
 /// The note on an answer that is right, but records other files than those at hand, or the same in another order.
 const OF_OTHER_FILES: &str = "right for these files, but the answer was computed from others, as its request says";
+
+/// The reason why no question can be asked of files, with the SHA-256 that the answer has of each. Where a file is not
+/// the one that the answer is about, this comes first: the complaint may be about nothing else.
+pub(super) fn cannot_be_asked<'a>(
+    files: impl IntoIterator<Item = (&'a Path, Option<&'a str>)>,
+    of_what: &str,
+    complaint: &anyhow::Error,
+) -> String {
+    let is_other = |(file, recorded): &(&Path, Option<&str>)| {
+        let found = PointSource::file_sha256(file);
+        recorded.is_some_and(|recorded| found.is_some_and(|found| found != recorded))
+    };
+    let other = files.into_iter().find(is_other).map_or_else(String::new, |(file, _)| {
+        format!("{} is not the file that the answer is about (its SHA-256 differs), and ", file.display())
+    });
+    format!("{other}the question that the answer records cannot be asked{of_what}: {complaint:#}")
+}
 
 /// A question about files.
 pub(super) struct AboutData {

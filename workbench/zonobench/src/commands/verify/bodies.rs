@@ -7,7 +7,7 @@ use batch::json::{self, MAX_VALUES, Tree};
 use batch::read_pose;
 use serde_json::Value;
 
-use super::about::{AboutData, NO_RECORD, OTHER_DATA};
+use super::about::{AboutData, NO_RECORD, OTHER_DATA, cannot_be_asked};
 use crate::commands::asked::{About, Recorded, zonotope_of};
 use crate::commands::asking::{Asking, PointOptions};
 use crate::commands::usage::question_name;
@@ -28,7 +28,7 @@ pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer:
                           verify` checks it against its question";
             return Ok(AboutData::without_question(reason.to_owned()));
         }
-        None if about == About::Collide => {
+        None if matches!(about, About::Collide | About::Sweep) => {
             let reason = "the answer does not record the motions of the bodies; `zonobench verify` checks it against \
                           its question";
             return Ok(AboutData::without_question(reason.to_owned()));
@@ -40,7 +40,9 @@ pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer:
     let (question, hashes) = match ask_again(files, asking, about, &recorded) {
         Ok(found) => found,
         Err(error) => {
-            let reason = format!("the question that the answer records cannot be asked: {error:#}");
+            let kept = recorded.files.iter().map(|file| file.sha256.as_deref());
+            let files = files.iter().map(PathBuf::as_path).zip(kept);
+            let reason = cannot_be_asked(files, "", &error);
             return Ok(AboutData::without_question(reason));
         }
     };
@@ -91,10 +93,10 @@ fn ask_again(
                 placed.pose = Some(read);
             }
             hashes.push(origin.sha256);
-            bodies.push(match about {
-                // rounded before it was reduced
-                About::Reduce => zonotope_of(&placed.rounded(file)?.body),
-                _ => placed.question(),
+            bodies.push(if about.takes_rounded() {
+                zonotope_of(&placed.rounded(file)?.body)
+            } else {
+                placed.question()
             });
         } else {
             let reading = asking.points.or(&record.points).source(file)?.read(Wanted::Any)?;

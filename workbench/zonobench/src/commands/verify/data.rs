@@ -8,7 +8,7 @@ use std::path::Path;
 
 use batch::json::Tree;
 
-use super::about::{AboutData, NO_RECORD, OTHER_DATA};
+use super::about::{AboutData, NO_RECORD, OTHER_DATA, cannot_be_asked};
 use super::documents::{first_document, standard_input_holds_questions};
 use crate::commands::asking::{Asking, Recorded};
 use crate::commands::usage::question_name;
@@ -43,7 +43,8 @@ fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Res
     let (question, reading) = match recorded.asking.question(&name, file) {
         Ok(question) => question,
         Err(error) => {
-            let reason = format!("the question that the answer records cannot be asked of this file: {error:#}");
+            let files = [(file, Some(recorded.sha256.as_str()))];
+            let reason = cannot_be_asked(files, " of this file", &error);
             return Ok(AboutData::without_question(reason));
         }
     };

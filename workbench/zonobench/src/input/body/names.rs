@@ -5,16 +5,9 @@ use std::path::Path;
 
 use crate::input::error::{InputError, Place, Problem};
 use batch::json::Tree;
+use batch::names::POINT;
 
-/// The names of the centre.
-pub(super) const CENTERS: [&str; 3] = ["center", "centre", "c"];
-
-/// The name of the centre beside a matrix G in pypolycontain.
-const POINT: &str = "x";
-
-/// The names of the generators: a list of vectors, or the rows of a matrix whose columns are the vectors.
-pub(super) const LIST: &str = "generators";
-pub(super) const MATRIX: &str = "G";
+pub(super) use batch::names::{CENTERS, GENERATORS as LIST, MATRIX};
 
 /// The name of the placement.
 pub(super) const POSE: &str = "pose";
@@ -29,7 +22,11 @@ const MEANT: &str = "\
     quaternion quat transform transformation transforms tf frame scale scaling scalefactor factor stretch motion \
     map linearmap affine turn angle degrees a b ac ab bc bb aeq beq ae be e ec expmat h constraints constraint \
     halfspaces radius inflation margin order placement placed place tx ty tz dx dy dz rx ry rz inflate expand grow \
-    dilate dilation mirror mirrored reflect reflected flip thickness";
+    dilate dilation mirror mirrored reflect reflected flip thickness s theta phi psi yaw pitch roll heading bearing \
+    azimuth elevation euler rpy xyz unit units halfspace";
+
+/// The beginnings of words that say, alone or within a longer name, that a body is turned, moved, scaled or measured.
+const MOVING: &str = "rot scal angle yaw pitch roll heading posi pose orient quat offset half size len transl transf";
 
 /// Names of what is drawn or derived, whose numbers say nothing about the body.
 const DERIVED: &str = "color colour colors colours rgb rgba vertices faces facets edges bbox boundingbox area volume";
@@ -90,7 +87,14 @@ impl<'a> Holder<'a> {
         for (name, value) in
             fields.iter().filter(|(name, value)| !known.contains(&name.as_str()) && *value != Tree::Null)
         {
+            if is_old_matrix_of_cora(name, value) {
+                let problem = "this is the matrix [c G] of CORA: write its first column as `c` and the other columns \
+                               as `G`, or the matrix as a table of numbers, which the options \
+                               --columns-are-generators and --center-first are for";
+                return Err(self.wrong(name, problem));
+            }
             if !is_empty(value)
+                && !is_label(value)
                 && (is_meant(name) || dimension.is_some_and(|count| is_like_vectors(name, value, count)))
             {
                 let problem = "this field could change the body, and it is not read: the centre is `center`, the \
@@ -110,7 +114,38 @@ fn plain(name: &str) -> String {
 }
 
 fn is_meant(name: &str) -> bool {
-    is_among(MEANT, name)
+    let moves = |word: &str| MOVING.split_whitespace().any(|stem| word.starts_with(stem));
+    is_among(MEANT, name) || words(name).iter().any(|word| moves(word))
+}
+
+/// The words of a name such as `mesh_scale` or `meshScale`, in small letters.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut was_small = false;
+    for letter in name.chars() {
+        if !letter.is_alphanumeric() || (was_small && letter.is_uppercase()) {
+            words.push(String::new());
+        }
+        was_small = letter.is_lowercase();
+        if letter.is_alphanumeric() {
+            words.last_mut().expect("there is a word from the beginning").extend(letter.to_lowercase());
+        }
+    }
+    words
+}
+
+/// Whether a value is a name, such as that of a frame or of a unit, which moves nothing: a text of words without a
+/// number at its beginning or signs of a formula.
+fn is_label(value: &Tree) -> bool {
+    let is_of_words = |text: &str| text.chars().all(|c| c.is_alphanumeric() || " _-/.:".contains(c));
+    let begins = |text: &str| text.chars().next().is_none_or(|c| c.is_alphabetic() || "_/".contains(c));
+    value.text().is_some_and(|text| is_of_words(text) && begins(text))
+}
+
+/// Whether a field is the property of a zonotope of CORA that holds its centre and its generators in one matrix.
+fn is_old_matrix_of_cora(name: &str, value: &Tree) -> bool {
+    let is_row = |row: &Tree| row.list().is_some_and(|row| matches!(row.first(), Some(Tree::Number(_))));
+    name == "Z" && value.list().is_some_and(|rows| !rows.is_empty() && rows.iter().all(is_row))
 }
 
 fn is_among(names: &str, name: &str) -> bool {

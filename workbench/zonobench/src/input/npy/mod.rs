@@ -69,9 +69,9 @@ fn chosen(array: &Array, columns: Option<&Columns>, wanted: Wanted) -> Result<Ve
         return names::chosen(&names, columns, &available);
     }
     let of_coordinates = if is_named { names::of_coordinates(&names, wanted)? } else { None };
-    match of_coordinates {
+    match of_coordinates.or_else(|| array.position(wanted)) {
         Some(columns) => Ok(columns),
-        None if wanted.takes_all(cells) || (wanted == Wanted::PlaneOrSpace && cells == 3) => Ok((0..cells).collect()),
+        None if wanted.takes_all(cells, is_named) => Ok((0..cells).collect()),
         None => Err(Problem::ChooseColumns { cells, wanted: wanted.in_words() }),
     }
 }
@@ -99,6 +99,8 @@ struct Column {
     item: Result<Item, String>,
     /// Its first byte in the record.
     start: usize,
+    /// The number of the field, if the field is an array.
+    vector: Option<usize>,
 }
 
 impl<'a> Array<'a> {
@@ -127,10 +129,11 @@ impl<'a> Array<'a> {
     }
 
     fn of_numbers(data: &'a [u8], kind: &str, shape: &[usize], is_fortran: bool) -> Result<Self, Problem> {
-        let item = Item::parse(kind).ok_or_else(|| broken(&format!("numbers of the type '{kind}' are not read")))?;
+        let item = Item::parse(kind).ok_or_else(|| unread_type(kind))?;
         let &[rows, columns] = shape else {
             let found = shape.len();
-            return Err(broken(&format!("the array has {found} dimension(s), not 2: a row for each point")));
+            let problem = format!("the array has {found} dimension(s), not 2: a row for each point");
+            return Err(Problem::Shape(problem));
         };
         check_rows(rows)?;
         let expected = rows.checked_mul(columns).and_then(|count| count.checked_mul(item.bytes()));
@@ -144,13 +147,14 @@ impl<'a> Array<'a> {
     fn of_records(data: &'a [u8], fields: &[header::Field], shape: &[usize]) -> Result<Self, Problem> {
         let &[rows] = shape else {
             let found = shape.len();
-            return Err(broken(&format!("the records have {found} dimension(s), not 1: a record for each point")));
+            let problem = format!("the records have {found} dimension(s), not 1: a record for each point");
+            return Err(Problem::Shape(problem));
         };
         check_rows(rows)?;
         let (mut columns, mut bytes) = (Vec::new(), 0_usize);
-        for field in fields {
+        for (number, field) in fields.iter().enumerate() {
             let length = item::bytes_of(field.kind)
-                .ok_or_else(|| broken(&format!("fields of the type '{}' are not read", field.kind)))?;
+                .ok_or_else(|| Problem::Shape(format!("fields of the type '{}' are not read", field.kind)))?;
             if field.count > COLUMN_LIMIT - columns.len() {
                 return Err(Problem::TooMany { what: "numbers in a record", limit: COLUMN_LIMIT });
             }
@@ -159,7 +163,7 @@ impl<'a> Array<'a> {
                 let item = Item::parse(field.kind).ok_or_else(|| field.kind.to_owned());
                 let name = if field.is_list { format!("{}[{place}]", field.name) } else { field.name.to_owned() };
                 if !is_padding {
-                    columns.push(Column { name, item, start: bytes });
+                    columns.push(Column { name, item, start: bytes, vector: field.is_list.then_some(number) });
                 }
                 bytes = bytes.saturating_add(length);
             }
@@ -187,6 +191,17 @@ impl<'a> Array<'a> {
         }
     }
 
+    /// The columns of the only field of the records that is an array and is named as a position, if they can be
+    /// coordinates.
+    fn position(&self, wanted: Wanted) -> Option<Vec<usize>> {
+        let Layout::Records { columns, .. } = &self.layout else { return None };
+        let vector =
+            |index: usize| columns[index].vector.filter(|_| names::is_position(field_of(&columns[index].name)));
+        let chosen: Vec<usize> = (0..columns.len()).filter(|&index| vector(index).is_some()).collect();
+        let is_one = chosen.windows(2).all(|pair| vector(pair[0]) == vector(pair[1]));
+        (is_one && chosen.len() > 1 && wanted.takes_all(chosen.len(), false)).then_some(chosen)
+    }
+
     /// The names of the columns of records.
     fn field_names(&self) -> Vec<String> {
         match &self.layout {
@@ -201,11 +216,8 @@ impl<'a> Array<'a> {
             Layout::Grid { item, is_fortran: true, .. } => (item, (column * self.rows + row) * item.bytes()),
             Layout::Grid { item, columns, .. } => (item, (row * columns + column) * item.bytes()),
             Layout::Records { bytes, columns } => {
-                let Column { name, item, start } = &columns[column];
-                let item = item.as_ref().map_err(|kind| {
-                    let problem = broken(&format!("numbers of the type '{kind}' are not read"));
-                    problem.at(file, Place::Path(name.clone()))
-                })?;
+                let Column { name, item, start, .. } = &columns[column];
+                let item = item.as_ref().map_err(|kind| unread_type(kind).at(file, Place::Path(name.clone())))?;
                 (item, start + row * bytes)
             }
         };
@@ -213,8 +225,18 @@ impl<'a> Array<'a> {
     }
 }
 
+/// The name of the field that a column belongs to.
+fn field_of(column: &str) -> &str {
+    column.split_once('[').map_or(column, |(field, _)| field)
+}
+
 fn check_rows(rows: usize) -> Result<(), Problem> {
     if rows > MAX_POINTS { Err(Problem::TooMany { what: "points", limit: MAX_POINTS }) } else { Ok(()) }
+}
+
+/// The complaint about numbers of a type that doubles do not stand for.
+fn unread_type(kind: &str) -> Problem {
+    Problem::Shape(format!("numbers of the type '{kind}' are not read; real numbers of at most 64 bits are"))
 }
 
 fn broken(complaint: &str) -> Problem {

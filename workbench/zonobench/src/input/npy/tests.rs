@@ -82,7 +82,7 @@ fn columns_are_chosen_by_number() {
     assert_eq!(reading.points, Points::Plane(vec![[3.0, 1.0], [6.0, 4.0]]));
     assert_eq!(reading.in_words().as_deref(), Some("3, 1; left out: column 2"));
     let complaint = |columns: Option<&str>| read(&content, columns, Wanted::Planar).expect_err("a wrong choice");
-    assert_eq!(complaint(None), "p.npy: has 3 column(s); choose two with --columns");
+    assert_eq!(complaint(None), "p.npy: has 3 column(s); choose two with --columns, such as --columns 1,2");
     assert_eq!(complaint(Some("1,4")), "p.npy: there is no column 4; the row has 3 cells");
     assert_eq!(complaint(Some("x,y")), "p.npy: there is no column 'x'; the columns are numbered 1 to 3");
 }
@@ -104,11 +104,36 @@ fn fields_of_records_are_columns() {
     assert_eq!(reading.points, Points::Plane(vec![[2.0, 3.0], [5.0, 6.0]]));
     let complaint = |columns: Option<&str>| read(&content, columns, Wanted::Planar).expect_err("a wrong choice");
     assert!(complaint(None).contains("has the columns x, y and z"));
-    assert_eq!(complaint(Some("x,id")), "p.npy: id: is not npy: numbers of the type '|S2' are not read");
+    assert_eq!(
+        complaint(Some("x,id")),
+        "p.npy: id: numbers of the type '|S2' are not read; real numbers of at most 64 bits are"
+    );
     assert!(
         complaint(Some("x,w")).ends_with("there is no column 'w'; the columns are id, Z, X, Y, normal[0], normal[1]")
     );
     assert_eq!(complaint(Some("x,normal[1]")), "p.npy: [0][5]: 'NaN' is not a finite number");
+}
+
+/// The field of a position holds the points, whatever else the records have.
+#[test]
+fn the_position_of_records_holds_the_points() {
+    let of = |name: &str, shape: &str| {
+        let header = format!(
+            "{{'descr': [('id', '|u1'), ('{name}', '|u1', {shape}), ('normal', '|u1', (3,))], \
+             'fortran_order': False, 'shape': (1,)}}"
+        );
+        let count = if shape == "(3,)" { 7 } else { 6 };
+        file_with(1, &header, &[7, 1, 2, 3, 4, 5, 6][..count])
+    };
+    for wanted in [Wanted::PlaneOrSpace, Wanted::Any] {
+        let reading = read(&of("Pos", "(3,)"), None, wanted).expect("points of space");
+        assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
+        let left_out = "Pos[0], Pos[1], Pos[2]; left out: id, normal[0], normal[1], normal[2]";
+        assert_eq!(reading.in_words().as_deref(), Some(left_out));
+        assert_eq!(read(&of("xy", "(2,)"), None, wanted).expect("points").points, Points::Plane(vec![[1.0, 2.0]]));
+        let unnamed = read(&of("velocity", "(3,)"), None, wanted).expect_err("no field is a position");
+        assert!(unnamed.contains("has 7 column(s); choose two to four with --columns"), "{unnamed}");
+    }
 }
 
 #[test]
@@ -134,8 +159,8 @@ fn what_is_no_array_of_points_is_refused() {
     assert_eq!(complaint(b"\x93NUMPY\x04\x00"), is_not("its version is not 1.0, 2.0 or 3.0"));
     assert_eq!(complaint(b"\x93NUMPY\x02\x00\xff\xff\xff\xff{"), is_not("it ends within the header"));
     let of_shape = |shape: &str| file_of(1, "|u1", false, shape, &[1, 2]);
-    assert_eq!(complaint(&of_shape("(2,)")), is_not("the array has 1 dimension(s), not 2: a row for each point"));
-    assert_eq!(complaint(&of_shape("()")), is_not("the array has 0 dimension(s), not 2: a row for each point"));
+    assert_eq!(complaint(&of_shape("(2,)")), "the array has 1 dimension(s), not 2: a row for each point");
+    assert_eq!(complaint(&of_shape("()")), "the array has 0 dimension(s), not 2: a row for each point");
     assert_eq!(complaint(&of_shape("(1, 3)")), is_not("2 bytes follow the header, not 1 × 3 numbers of 1 bytes"));
     assert_eq!(complaint(&of_shape("(99999999, 1)")), "is too large: more than 10000000 points");
     assert!(complaint(&of_shape("(2, 18446744073709551615)")).contains("2 bytes follow the header"));
@@ -153,13 +178,16 @@ fn what_is_no_array_of_points_is_refused() {
         complaint(&file_with(1, &format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': {shape}}}"), &[1, 2]))
     };
     let by_two = "the records have 2 dimension(s), not 1: a record for each point";
-    assert_eq!(of_records("('x', '|u1')", "(1, 2)"), is_not(by_two));
+    assert_eq!(of_records("('x', '|u1')", "(1, 2)"), by_two);
     assert_eq!(of_records("('x', '|u1')", "(3,)"), is_not("2 bytes follow the header, not 3 records of 1 bytes"));
-    assert_eq!(of_records("('x', '|O')", "(2,)"), is_not("fields of the type '|O' are not read"));
+    assert_eq!(of_records("('x', '|O')", "(2,)"), "fields of the type '|O' are not read");
     assert!(of_records("('x', '|u1', (99999999,))", "(2,)").contains("more than 65536 numbers in a record"));
-    assert_eq!(of_records("('x', '|S1')", "(2,)"), "x: is not npy: numbers of the type '|S1' are not read");
+    assert_eq!(
+        of_records("('x', '|S1')", "(2,)"),
+        "x: numbers of the type '|S1' are not read; real numbers of at most 64 bits are"
+    );
     for kind in ["<f16", "<c16", "|b1", "|O", "f8", "|f8", "<U3", ""] {
-        let expected = is_not(&format!("numbers of the type '{kind}' are not read"));
+        let expected = format!("numbers of the type '{kind}' are not read; real numbers of at most 64 bits are");
         assert_eq!(complaint(&file_of(1, kind, false, "(1, 1)", &[1])), expected);
     }
     let infinite = file_of(1, "<f8", true, "(2, 1)", &bytes(&[1.0, f64::INFINITY], f64::to_le_bytes));

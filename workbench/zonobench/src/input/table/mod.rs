@@ -80,7 +80,18 @@ pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Rows, InputError> {
 }
 
 fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u8]>, InputError> {
-    encoding::text(content).map_err(|problem| problem.at(file, Place::File))
+    let text = encoding::text(content).map_err(|problem| problem.at(file, Place::File))?;
+    if is_grid(&text) {
+        let grid = "is a grid of heights, which holds no points".to_owned();
+        return Err(Problem::Shape(grid).at(file, Place::File));
+    }
+    Ok(text)
+}
+
+/// Whether the first line that is not blank is that of a grid of heights, whichever lines are to be left out.
+fn is_grid(text: &[u8]) -> bool {
+    let first = text.trim_ascii_start().split(|byte| byte.is_ascii_whitespace()).next();
+    first.is_some_and(|word| word.eq_ignore_ascii_case(b"ncols"))
 }
 
 /// The remark on a column that is left out because it counts the rows.
@@ -135,10 +146,6 @@ impl<'a> Table<'a> {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
         self.width = start.width;
-        if start.first.get(0).is_some_and(|word| word.eq_ignore_ascii_case(b"ncols")) {
-            let grid = "is a grid of heights, which holds no points".to_owned();
-            return Err(Problem::Shape(grid).at(self.file, Place::File));
-        }
         let is_named =
             shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
         let from = usize::from(start.has_index && shape.columns.is_none());
@@ -226,7 +233,7 @@ impl<'a> Table<'a> {
         let names = cells(first);
         let at_first = |problem: Problem| problem.at(self.file, self.place(first));
         if let Some(columns) = shape.columns {
-            return names::chosen(&names, columns, &names.join(", ")).map_err(at_first);
+            return names::chosen(&names, columns, &available(first)).map_err(at_first);
         }
         if let Some(columns) = names::of_coordinates(&names, wanted).map_err(at_first)? {
             return Ok(columns);
@@ -239,14 +246,14 @@ impl<'a> Table<'a> {
             if wanted == Wanted::Planar && coordinates > 2 {
                 return Err(at_first(Problem::ThirdCoordinate));
             }
-            if wanted.takes_all(coordinates) || coordinates == 3 {
+            if wanted.takes_all(coordinates, false) {
                 return Ok((from..from + coordinates).collect());
             }
         }
         let numbers = first.iter().skip(from).filter(|cell| is_number(cell)).count();
         // There is something to choose only where numbers are left beside the text.
         let of_text = column_of_text(first, start.second.as_ref()).filter(|_| numbers >= 2);
-        if wanted.takes_all(cells) && of_text.is_none() {
+        if wanted.takes_all(cells, !has_number(first)) && of_text.is_none() {
             return Ok((from..first.len()).collect());
         }
         let wanted = wanted.in_words();
@@ -260,7 +267,32 @@ impl<'a> Table<'a> {
             }
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
         }
-        Err(Problem::ChooseColumns { cells, wanted }.at(self.file, Place::File))
+        let problem = match cells {
+            1 => Problem::OneColumn(self.advice_on_one_column(first)),
+            _ => Problem::ChooseColumns { cells, wanted },
+        };
+        Err(problem.at(self.file, Place::File))
+    }
+
+    /// The cure where the first row has one cell: another format, lines above the table, or another separator.
+    fn advice_on_one_column(&self, first: &ByteRecord) -> String {
+        let word = String::from_utf8_lossy(first.get(0).unwrap_or_default()).trim().to_ascii_lowercase();
+        let formats = [("ply", "ply"), ("solid", "stl"), ("off", "off"), ("[", "json"), ("{", "json")];
+        let is_begun = |mark: &str| word == mark || (mark.len() == 1 && word.starts_with(mark));
+        if let Some((mark, format)) = formats.into_iter().find(|(mark, _)| is_begun(mark)) {
+            return format!("it begins with `{mark}`, so it may be of the format {format}: --format {format}");
+        }
+        match self.text.rows().filter_map(Result::ok).find(|row| row.len() > 1) {
+            Some(wider) => {
+                let (line, wide) = (self.text.line(first), self.text.line(&wider));
+                let (cells, skip) = (wider.len(), wide - 1);
+                format!(
+                    "line {line} has 1 cell, and line {wide} has {cells}; if the table begins there, --skip {skip} \
+                     leaves out what stands above it"
+                )
+            }
+            None => "commas, semicolons, tabs, bars and spaces separate the cells of a row".to_owned(),
+        }
     }
 
     fn number(&mut self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {
@@ -303,6 +335,18 @@ impl<'a> Table<'a> {
     fn place(&self, row: &ByteRecord) -> Place {
         Place::Line(self.text.line(row))
     }
+}
+
+/// The columns of a table by their names; by their numbers where the first row is one of data.
+fn available(first: &ByteRecord) -> String {
+    if has_number(first) {
+        return format!("numbered 1 to {}, as no row names them; a line that begins with # is a comment", first.len());
+    }
+    let named = |(index, name): (usize, String)| match name.is_empty() {
+        true => format!("column {} (unnamed)", index + 1),
+        false => name,
+    };
+    cells(first).into_iter().enumerate().map(named).collect::<Vec<_>>().join(", ")
 }
 
 /// Whether a first column without a name, which nobody chose, counts the rows.

@@ -69,13 +69,26 @@ fn complaints_name_line_and_column() {
     assert_eq!(complaint("1,2\n3\n", None), "points.csv: line 2, column 2: the row has 1 cells, not 2");
     assert_eq!(complaint("1,2\n3,4,5\n", None), "points.csv: line 2, column 3: the row has 3 cells, not 2");
     assert_eq!(complaint("1,2\n3,\n", None), "points.csv: line 2, column 2: the cell is empty");
-    assert_eq!(complaint("1,2,3\n3,4,5\n", None), "points.csv: has 3 column(s); choose two with --columns");
+    assert_eq!(
+        complaint("1,2,3\n3,4,5\n", None),
+        "points.csv: has 3 column(s); choose two with --columns, such as --columns 1,2"
+    );
     assert_eq!(
         complaint("a,b\n1,2\n", Some("a,c")),
         "points.csv: line 1: there is no column 'c'; the columns are a, b"
     );
     assert_eq!(complaint("x,y\n1,\"2\n3\"\n4,z\n", None), "points.csv: line 2, column 2: '2\\n3' is not a number");
-    assert_eq!(complaint("1\n2\n", None), "points.csv: has 1 column(s); choose two with --columns");
+    let advice = "points.csv: has 1 column, and points of the plane or of space need two or three; ";
+    for (content, cure) in [
+        ("1\n2\n", "commas, semicolons, tabs, bars and spaces separate the cells of a row"),
+        ("ply\nformat ascii 1.0\n", "it begins with `ply`, so it may be of the format ply: --format ply"),
+        (
+            "title\nby\n1,2\n3,4\n",
+            "line 1 has 1 cell, and line 3 has 2; if the table begins there, --skip 2 leaves out what stands above it",
+        ),
+    ] {
+        assert_eq!(complaint(content, None), format!("{advice}{cure}"));
+    }
 }
 
 #[test]
@@ -272,4 +285,24 @@ fn a_number_in_the_first_row_makes_it_data() {
     let generators = rows(Path::new("p.csv"), mixed.as_bytes()).map(|rows| rows.numbers);
     let refused = "p.csv: line 1, column 3: 'north' is not a number";
     assert_eq!(generators.map_err(|error| error.to_string()), Err(refused.to_owned()));
+}
+
+/// A choice by a name that no row has tells which columns there are, and never lists data as names.
+#[test]
+fn missing_names_are_told_from_data() {
+    let complaint = |content: &str| read(content, Some("x,w")).expect_err(content);
+    let of_data = complaint("# x w z\n1 2 3\n4 5 6\n");
+    assert!(of_data.ends_with("numbered 1 to 3, as no row names them; a line that begins with # is a comment"));
+    let unnamed = complaint(",x,y\n0,1,2\n1,3,4\n");
+    assert!(unnamed.contains("the columns are column 1 (unnamed), x, y"), "{unnamed}");
+}
+
+#[test]
+fn a_grid_of_heights_is_refused_whatever_is_skipped() {
+    let grid = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n1 2\n3 4\n";
+    for skip in [None, Some(1), Some(6)] {
+        let file = Path::new("p.asc");
+        let complaint = points(file, grid.as_bytes(), None, skip, Wanted::Any).expect_err("a grid").to_string();
+        assert!(complaint.ends_with("is a grid of heights, which holds no points"), "{complaint}");
+    }
 }

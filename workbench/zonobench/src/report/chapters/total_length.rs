@@ -53,6 +53,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "summary-approximate-length",
         "question-approximation-quality",
         "extreme-points-off-the-span",
+        "sum-over-the-axes",
         "size-of-direction-net",
         "meaning-of-total-length",
     ],

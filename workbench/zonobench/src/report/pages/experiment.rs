@@ -42,8 +42,11 @@ pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> St
     text.push_str(&growth_table(&fits));
     text.push_str(&value_table(experiment, &evidence.records.counts));
     text.push_str(&format!("<p><a href=\"records/{}.counts.csv\">Numbers as CSV</a>", experiment.id));
+    let names: Vec<String> =
+        experiment.variants.iter().map(|v| format!("<code>{}</code> {}", Escaped(v.id), Escaped(v.title))).collect();
+    text.push_str(&format!(", where the methods are: {}", names.join("; ")));
     if experiment.timing.is_some() {
-        text.push_str(&format!(", <a href=\"times.html#experiment-{}\">times</a>", experiment.id));
+        text.push_str(&format!(". <a href=\"times.html#experiment-{}\">Times</a>", experiment.id));
     }
     text.push_str(".</p>\n");
     if let Some(command) = Repeat::of(evidence).experiment(experiment) {
@@ -60,6 +63,6 @@ pub(super) fn said(sentences: &[String]) -> String {
     }
     let items: Vec<String> = sentences.iter().map(|sentence| format!("<li>{}</li>", prose(sentence))).collect();
     let note = "<p><small>Numbers are medians over the instances of an input and a size, of an even number the upper \
-                one.</small></p>";
+                one; those of “from … to …” are the least and the greatest of all instances.</small></p>";
     format!("<ul class=\"found\">{}</ul>\n{note}\n", items.join(""))
 }

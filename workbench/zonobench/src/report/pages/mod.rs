@@ -48,7 +48,7 @@ pub fn times(evidence: &Evidence) -> String {
     let environment = &evidence.records.environment;
     let facts = [
         ("version", &environment.version),
-        ("revision", &environment.revision),
+        ("source revision when run", &environment.revision),
         ("compiler", &environment.toolchain),
         ("build", &environment.build),
         ("processor", &environment.cpu),

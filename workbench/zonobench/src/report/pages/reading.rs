@@ -70,6 +70,9 @@ mod tests {
         for name in paper.lines().filter_map(|line| line.trim().strip_prefix("- family-names: ")) {
             assert!(of_paper.contains(&format!("{name}, ")), "{name}");
         }
+        assert_eq!(value(of_paper, "url"), value(paper, "url"));
+        assert_eq!(value(of_paper, "publisher"), value(paper, "name:"));
+        assert!(value(software, "date-released").starts_with(value(of_software, "year")));
         assert_eq!(value(of_software, "title"), value(software, "title"));
         assert_eq!(value(of_software, "version"), value(software, "version"));
         assert_eq!(value(software, "version"), env!("CARGO_PKG_VERSION"));

@@ -1,6 +1,6 @@
 //! The paper's claims as a table.
 
-use paper_checks::{Check, ClaimKind, ClaimResult, Finding};
+use paper_checks::{Check, ClaimResult, Finding};
 
 use crate::report::html::{Escaped, badge, prose, table};
 
@@ -21,7 +21,7 @@ pub(in crate::report) fn claim_table(
                 _ => prose(&result.evidence()),
             };
             if let Some(remedy) = claim.remedy {
-                let word = if claim.kind == ClaimKind::Note { "Note" } else { "Instead" };
+                let word = result.remedy_word();
                 evidence.push_str(&format!("<p class=\"remedy\">{word}: {}</p>", prose(remedy)));
             }
             let links = figures(result);

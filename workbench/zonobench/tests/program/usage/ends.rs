@@ -17,11 +17,13 @@ fn a_result_that_cannot_be_written_is_refused_before_the_work() {
     fs::write(folder.join("z.json"), "[[1,0,0],[0,1,0],[0,0,1]]").expect("written");
     fs::create_dir(folder.join("folder")).expect("made");
     let wrong = ["taken/a", "taken/b/a", "folder", "taken"];
-    let commands: [(&[&str], &[&str]); 9] = [
+    let commands: [(&[&str], &[&str]); 11] = [
         (&["enclose", "lost.csv"], &["--json", "--svg", "--obj"]),
         (&["intersect", "lost.json", "z.json"], &["--json", "--svg", "--question"]),
         (&["distance", "lost.json", "z.json"], &["--json", "--svg", "--question"]),
+        (&["hausdorff", "lost.json", "z.json"], &["--json", "--question"]),
         (&["collide", "lost.json", "z.json", "--translation", "1,0,0"], &["--json", "--question"]),
+        (&["sweep", "lost.json", "--translation", "1,0,0"], &["--json", "--obj", "--ply", "--stl"]),
         (&["contains", "lost.json", "p.csv"], &["--json", "--question"]),
         (&["reduce", "lost.json", "--count", "3"], &["--json", "--svg", "--question"]),
         (&["inspect", "lost.json"], &["--json", "--svg", "--question", "--obj", "--ply", "--stl"]),

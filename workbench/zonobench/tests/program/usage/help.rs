@@ -58,7 +58,9 @@ fn the_formats_of_a_command_are_those_that_it_reads() {
     for (command, option) in [
         ("intersect", "--format"),
         ("distance", "--format"),
+        ("hausdorff", "--format"),
         ("collide", "--format"),
+        ("sweep", "--format"),
         ("reduce", "--format"),
         ("inspect", "--format"),
         ("contains", "--body-format"),

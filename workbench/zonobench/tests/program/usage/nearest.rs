@@ -52,8 +52,8 @@ fn names_in_questions() {
             "did you mean `by_column_generation`?",
         ),
         (
-            r#""kind":"support","input":{"direction":[1],"centre":[0],"generators":[]}"#,
-            "missing field `center` in the input; did you misspell it `centre`?",
+            r#""kind":"support","input":{"direction":[1],"centr":[0],"generators":[]}"#,
+            "missing field `center` in the input; did you misspell it `centr`?",
         ),
         (
             r#""kind":"min_length_all","input":{"points":[[0,0]],"epsilon":0.5,"max_generator":2}"#,

@@ -39,12 +39,16 @@ fn change(folder: &Path, change: impl FnOnce(&mut Value)) {
 }
 
 /// The commands about bodies, each with the files that it is given.
-const COMMANDS: [(&[&str], &[&str]); 9] = [
+const COMMANDS: [(&[&str], &[&str]); 13] = [
     (&["intersect", "a.json", "b.json"], &["a.json", "b.json"]),
     (&["distance", "g.csv", "b.json"], &["g.csv", "b.json"]),
     (&["distance", "a.json", "b.body", "--format", "json"], &["a.json", "b.body"]),
+    (&["hausdorff", "a.json", "b.json"], &["a.json", "b.json"]),
+    (&["hausdorff", "g.csv", "b.body", "--format-b", "json", "--turn", "z,30"], &["g.csv", "b.body"]),
     (&["collide", "s.json", "t.json", "--translation", "-9,0,0"], &["s.json", "t.json"]),
     (&["collide", "t.json", "s.json", "--motion-b", "m.json", "--resolution", "0.125"], &["t.json", "s.json"]),
+    (&["sweep", "t.json", "--axis", "0,0,1", "--angle", "-1", "--turn", "z,30"], &["t.json"]),
+    (&["sweep", "s.json", "--motion", "m.json", "--method", "by_turned_generators"], &["s.json"]),
     (&["contains", "a.json", "p.csv"], &["a.json", "p.csv"]),
     (&["contains", "b.body", "p.csv", "--body-format", "json", "--columns", "y,x"], &["b.body", "p.csv"]),
     (&["reduce", "a.json", "--count", "2", "--rule", "girard"], &["a.json"]),

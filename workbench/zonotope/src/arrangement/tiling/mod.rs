@@ -14,9 +14,11 @@
 //! | method | cost for n generators | what it is |
 //! |---|---|---|
 //! | [`by_sweep`] | O(n² log n) exact operations | the tiling from left to right, tile by tile |
+//! | [`by_face_lattice`] | O(n² log n) | the facets of the upper hull, for generators in any position |
 //!
 //! The crate `verifier` builds the arrangement on its own and walks the isomorphism.
 
+pub mod by_face_lattice;
 pub mod by_sweep;
 
 use thiserror::Error;

@@ -50,11 +50,13 @@
 //! assert_eq!(by_lad::gauge(&query, &mut ()).value, 2.0);
 //! ```
 
+mod direction_plane;
 pub(super) mod early;
 mod facet;
 pub(super) mod ladder;
 mod scaled;
 
+pub use direction_plane::{DirectionPlane, direction_plane};
 pub use facet::Facet;
 
 #[cfg(test)]
@@ -62,7 +64,7 @@ pub(in crate::collision) mod tests;
 
 use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
-use crate::lad::of_generators::span::prism::{Prism, lowered};
+use crate::lad::of_generators::span::prism::{Prism, lowered, lowered_gauge};
 use crate::tally::Tally;
 use crate::zonotope::placed::Standing;
 
@@ -109,11 +111,10 @@ fn measured<const D: usize, P: Standing>(
     tally: &mut dyn Tally,
 ) -> Gauge<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    let lower = |Gauge { value, error, location }| Gauge { value, error, location: lowered(location, query.len()) };
+    let lower = |gauge| lowered_gauge(gauge, query.len());
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            let Gauge { value, error, location } = by_lad_in_r4::gauge(&query, &mut &mut *tally);
-            return Gauge { value, error, location: lowered(location, query.len()) };
+            return lowered_gauge(by_lad_in_r4::gauge(&query, &mut &mut *tally), query.len());
         }
         if let Some(scaled) = Scaled::of(&query) {
             return measured(&scaled.query(), of, tally);

@@ -141,7 +141,7 @@ fn facet_normal(query: &dyn KernelQuery) -> Option<ExactVector> {
     match solve(query, Goal::Gauge, &mut ()) {
         Optimum::Rounded(decided) => Some(ladder::exact_of(query, &query.exact(), &decided, &mut ()).direction),
         Optimum::Exact(exact) => Some(exact.direction),
-        Optimum::Centre | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
+        Optimum::Center | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
     }
 }
 

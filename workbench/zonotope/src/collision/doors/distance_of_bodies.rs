@@ -1,4 +1,4 @@
-//! How near bodies are and how deep they overlap, as methods of the bodies.
+//! Distance of bodies and depth of their overlap, as methods of the bodies.
 
 use crate::collision::distance::penetration::{self, Penetration};
 use crate::collision::distance::{Proximity, by_support_simplex};
@@ -12,14 +12,14 @@ impl<const D: usize> Zonotope<D> {
         by_support_simplex::proximity(&Query::between(self, other), &mut ()).distance()
     }
 
-    /// How near two closed bodies are: their distance with the points, faces and coefficients that prove it, or how
+    /// Proximity of two closed bodies: their distance with the points, faces and coefficients that prove it, or how
     /// they meet. In one to three dimensions; more do not compile. Expected O(n) for each of a few steps.
     pub fn proximity(&self, other: &Self) -> Proximity<D> {
         let query = Query::between(self, other);
         by_support_simplex::proximity(&query, &mut ()).with_nearest_basis(&query)
     }
 
-    /// How deep two bodies overlap: the length of the shortest translation after which they only touch, within a
+    /// Depth to which two bodies overlap: the length of the shortest translation after which they only touch, within a
     /// hundredth, and its direction; 0 for bodies without a common inner point. In space O(n) for each of some ten to
     /// some hundred vertices, in the plane O(n log n), elsewhere O(n^D) exact operations.
     pub fn penetration(&self, other: &Self) -> Penetration<D> {

@@ -6,9 +6,8 @@ use thiserror::Error;
 
 #[cfg(feature = "linear-programming")]
 use crate::collision::by_linear_program;
-use crate::collision::{
-    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_lad, by_slope_selection,
-};
+use crate::collision::{Gauge, Location, Query, brute_force, by_explicit_faces, by_lad, by_slope_selection};
+use crate::lad::of_generators::span::prism::{lowered, lowered_gauge};
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
 use crate::tables::methods;
@@ -35,17 +34,6 @@ methods! {
     BruteForce => "brute_force", "Every facet normal in rationals", "O(n^D) in rationals";
 }
 
-/// What a method finds out about a displacement.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Finding<const D: usize> {
-    /// Where it lies, with a proof.
-    Located(Location<D>),
-    /// Whether it lies in the zonotope, proved without a location.
-    Member(bool),
-    /// Nothing: the method gave up.
-    Undecided,
-}
-
 /// Why a method takes no question of this kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
@@ -66,14 +54,20 @@ pub enum MethodError {
     Faces(#[from] FacesError),
 }
 
-impl<const D: usize> Finding<D> {
-    /// The location with its proof, if that is what was found.
-    pub fn into_location(self) -> Option<Location<D>> {
-        match self {
-            Self::Located(location) => Some(location),
-            Self::Member(_) | Self::Undecided => None,
+/// The answer of a function of some dimensions, if that of the query is one of them.
+macro_rules! in_dimensions {
+    ([$($dimension:literal)+], $query:ident, $lowered:ident, $answer:expr) => {
+        match D {
+            $($dimension => match $query.in_dimension::<$dimension>() {
+                Some($query) => {
+                    let $query = &$query;
+                    Some($lowered($answer, $query.len()))
+                }
+                None => None,
+            },)+
+            _ => None,
         }
-    }
+    };
 }
 
 impl Method {
@@ -108,7 +102,8 @@ impl Method {
         matches!(self, Self::ByLad | Self::ByExplicitFaces | Self::BruteForce)
     }
 
-    /// Where a displacement lies, as far as the method finds it out. `seed` decides the time, never the answer.
+    /// The location of a displacement, with a proof; `None` where the method gives up. `seed` decides the time, never
+    /// the answer.
     ///
     /// # Errors
     /// [`MethodError::Dimension`] outside of [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too
@@ -119,32 +114,18 @@ impl Method {
         question: &Query<'_, D>,
         seed: u64,
         tally: &mut dyn Tally,
-    ) -> Result<Finding<D>, MethodError> {
+    ) -> Result<Option<Location<D>>, MethodError> {
         let located = match self {
-            Self::ByLad => match D {
-                1 => asked_in::<1, D>(question, |question| by_lad::locate(question, tally)),
-                2 => asked_in::<2, D>(question, |question| by_lad::locate(question, tally)),
-                3 => asked_in::<3, D>(question, |question| by_lad::locate(question, tally)),
-                _ => asked_in::<4, D>(question, |question| by_lad::locate(question, tally)),
-            },
-            Self::BySlopeSelection => match D {
-                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
-                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
-                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate(q, seed, &mut &mut *tally)),
-            },
+            Self::ByLad => in_dimensions!([1 2 3 4], question, lowered, by_lad::locate(question, tally)),
+            Self::BySlopeSelection => {
+                in_dimensions!([1 2 3], question, lowered, by_slope_selection::locate(question, seed, &mut &mut *tally))
+            }
             Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
             #[cfg(feature = "linear-programming")]
-            Self::ByLinearProgram => {
-                let answer = by_linear_program::locate(question, &Clarabel);
-                return Ok(match (answer.location(), answer.is_member()) {
-                    (Some(location), _) => Finding::Located(location.clone()),
-                    (None, Some(is_member)) => Finding::Member(is_member),
-                    (None, None) => Finding::Undecided,
-                });
-            }
+            Self::ByLinearProgram => return Ok(by_linear_program::locate(question, &Clarabel).location().cloned()),
             Self::BruteForce => Some(brute_force::locate(question)),
         };
-        located.map(Finding::Located).ok_or(MethodError::Dimension { method: self, dimension: D })
+        located.map(Some).ok_or(MethodError::Dimension { method: self, dimension: D })
     }
 
     /// The gauge of a displacement and where it lies.
@@ -159,17 +140,11 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
-            Self::ByLad => match D {
-                1 => measured_in::<1, D>(question, |question| by_lad::gauge(question, tally)),
-                2 => measured_in::<2, D>(question, |question| by_lad::gauge(question, tally)),
-                3 => measured_in::<3, D>(question, |question| by_lad::gauge(question, tally)),
-                _ => measured_in::<4, D>(question, |question| by_lad::gauge(question, tally)),
-            },
-            Self::ByExplicitFaces => match D {
-                1 => explicit_gauge::<1, D>(question, tally)?,
-                2 => explicit_gauge::<2, D>(question, tally)?,
-                _ => explicit_gauge::<3, D>(question, tally)?,
-            },
+            Self::ByLad => in_dimensions!([1 2 3 4], question, lowered_gauge, by_lad::gauge(question, tally)),
+            Self::ByExplicitFaces => {
+                let counted = &mut &mut *tally;
+                in_dimensions!([1 2 3], question, lowered_gauge, by_explicit_faces::gauge(question, counted)?)
+            }
             Self::BruteForce => Some(brute_force::gauge(question)),
             _ => return Err(MethodError::NoGauge(self)),
         };
@@ -184,57 +159,13 @@ impl Method {
     /// Those of [`gauge`](Self::gauge).
     #[inline(never)]
     pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
-        let by_kernel = match (self, D) {
-            (Self::ByLad, 1) => measured_in::<1, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
-            (Self::ByLad, 2) => measured_in::<2, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
-            (Self::ByLad, 3) => measured_in::<3, D>(question, |question| by_lad::nearest_gauge(question, &mut ())),
+        let by_kernel = match self {
+            Self::ByLad => in_dimensions!([1 2 3], question, lowered_gauge, by_lad::nearest_gauge(question, &mut ())),
             _ => None,
         };
         match by_kernel {
             Some(gauge) => Ok(gauge),
             None => Ok(self.gauge(question, &mut ())?.with_nearest_basis(question)),
-        }
-    }
-}
-
-/// The location that a method of dimension E finds, if that is the question's dimension.
-fn asked_in<const E: usize, const D: usize>(
-    question: &Query<'_, D>,
-    locate: impl FnOnce(&Query<'_, E>) -> Location<E>,
-) -> Option<Location<D>> {
-    question.in_dimension::<E>().map(|question| in_same_dimension(locate(&question)))
-}
-
-/// The gauge that a method of dimension E finds, if that is the question's dimension.
-fn measured_in<const E: usize, const D: usize>(
-    question: &Query<'_, D>,
-    gauge: impl FnOnce(&Query<'_, E>) -> Gauge<E>,
-) -> Option<Gauge<D>> {
-    question.in_dimension::<E>().map(|question| {
-        let Gauge { value, error, location } = gauge(&question);
-        Gauge { value, error, location: in_same_dimension(location) }
-    })
-}
-
-fn explicit_gauge<const E: usize, const D: usize>(
-    question: &Query<'_, D>,
-    tally: &mut dyn Tally,
-) -> Result<Option<Gauge<D>>, MethodError> {
-    let Some(question) = question.in_dimension::<E>() else { return Ok(None) };
-    let Gauge { value, error, location } = by_explicit_faces::gauge(&question, &mut &mut *tally)?;
-    Ok(Some(Gauge { value, error, location: in_same_dimension(location) }))
-}
-
-/// A location of dimension E, which is D, as the type of dimension D.
-fn in_same_dimension<const E: usize, const D: usize>(location: Location<E>) -> Location<D> {
-    match location {
-        Location::Inside(witness) => Location::Inside(witness),
-        Location::Boundary(witness) => Location::Boundary(witness),
-        Location::Outside(Separation::Rounded(direction)) => {
-            Location::Outside(Separation::Rounded(std::array::from_fn(|axis| direction[axis])))
-        }
-        Location::Outside(Separation::Exact(direction)) => {
-            Location::Outside(Separation::Exact(Box::new(std::array::from_fn(|axis| direction[axis].clone()))))
         }
     }
 }
@@ -258,13 +189,8 @@ mod tests {
                     continue;
                 }
                 match found.expect("the method works in this dimension") {
-                    Finding::Located(location) => {
-                        assert_eq!(location.status().name() == "inside", is_inside, "{method:?}")
-                    }
-                    Finding::Member(is_member) => {
-                        assert!(!method.always_locates() && is_member == is_inside, "{method:?}");
-                    }
-                    Finding::Undecided => assert!(!method.always_locates(), "{method:?}"),
+                    Some(location) => assert_eq!(location.status().name() == "inside", is_inside, "{method:?}"),
+                    None => assert!(!method.always_locates(), "{method:?}"),
                 }
                 match method.gauge(&question, &mut ()) {
                     Ok(gauge) => assert!(method.measures() && gauge.value == if is_inside { 0.5 } else { 1.5 }),

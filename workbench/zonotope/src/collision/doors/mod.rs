@@ -7,11 +7,14 @@
 //! | [`Method`] | the methods by name, with the default of each dimension |
 //! | `of_bodies` | the questions as methods of [`Zonotope`](crate::zonotope::Zonotope) |
 //! | `of_placed_bodies` | the same in space for a body where it stands, [`Placed`](crate::Placed), and for a prepared one |
+//! | [`PreparedFor`] | the same for a body that is prepared for a number of queries |
 //! | `distance_of_bodies` | how near bodies are and how deep they overlap, as methods of [`Zonotope`](crate::zonotope::Zonotope) |
 
 mod distance_of_bodies;
 mod method;
 mod of_bodies;
 mod of_placed_bodies;
+mod prepared_for;
 
-pub use method::{Finding, Method, MethodError};
+pub use method::{Method, MethodError};
+pub use prepared_for::PreparedFor;

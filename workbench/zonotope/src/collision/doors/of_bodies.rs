@@ -1,9 +1,9 @@
-//! What a body is asked: methods of [`Zonotope`] that put the question to the default method of its dimension.
+//! Questions about a body: methods of [`Zonotope`] that put the question to the default method of its dimension.
 //!
 //! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
 //! himself and hands it to a [`Method`].
 
-use crate::collision::{Finding, Method, Query};
+use crate::collision::{Method, Query};
 use crate::numeric::non_finite::NonFinite;
 use crate::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
@@ -19,7 +19,7 @@ impl<const D: usize> Zonotope<D> {
         Ok(located(&Query::of_point(point, self)?).is_member())
     }
 
-    /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating
+    /// The location of a point relative to the body, with a proof: coefficients of the generators, or a separating
     /// direction. The cost is that of [`contains`](Self::contains), and a pass over the generators for the last digits
     /// of the coefficients, which are such that a verifier takes them
     /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
@@ -31,9 +31,9 @@ impl<const D: usize> Zonotope<D> {
         Ok(located(&query).with_nearest_basis(&query))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point, within four units in the last place;
-    /// with the proof of where the point lies. The cost is that of [`locate`](Self::locate), and a pass or two over the
-    /// generators for the last digits.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it, within four units in
+    /// the last place; with the proof of where the point lies. The cost is that of [`locate`](Self::locate), and a pass
+    /// or two over the generators for the last digits.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -49,9 +49,9 @@ impl<const D: usize> Zonotope<D> {
         located(&Query::between(self, other)).is_member()
     }
 
-    /// How two bodies meet, with a proof: inside if their interiors have a point in common, boundary if they only touch
-    /// (or their sum is flat), outside if they are disjoint. It locates the difference of the centres relative to the
-    /// generators of both (Lemma 5.1).
+    /// The location of two bodies relative to each other, with a proof: inside if their interiors have a point in
+    /// common, boundary if they only touch (or their sum is flat), outside if they are disjoint. It locates the
+    /// difference of the centres relative to the generators of both (Lemma 5.1).
     pub fn intersection(&self, other: &Self) -> Location<D> {
         let query = Query::between(self, other);
         located(&query).with_nearest_basis(&query)
@@ -60,7 +60,7 @@ impl<const D: usize> Zonotope<D> {
 
 #[inline]
 fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
-    match Method::default_in(D).locate(query, DEFAULT_SEED, &mut ()).map(Finding::into_location) {
+    match Method::default_in(D).locate(query, DEFAULT_SEED, &mut ()) {
         Ok(Some(location)) => location,
         _ => unreachable!("the default method of a dimension works there and locates every displacement"),
     }

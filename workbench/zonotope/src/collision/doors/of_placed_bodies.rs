@@ -1,6 +1,5 @@
-//! What a body of space is asked where it stands: under a pose, or prepared. A moved body keeps its generators: the
-//! pose
-//! is part of the question, and exact like it.
+//! Questions about a body of space where it stands: under a pose, or prepared. A moved body keeps its generators: the
+//! pose is part of the question, and exact like it.
 
 use crate::collision::by_lad::{locate, nearest_gauge};
 use crate::collision::distance::penetration::{Penetration, by_inner_polytope};
@@ -20,8 +19,8 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
         Ok(locate(&Query::of_point_in(point, *self)?, &mut ()).is_member())
     }
 
-    /// Where a point lies relative to the body, with a proof in coefficients of the generators as they are stored, or a
-    /// direction. O(n) expected.
+    /// The location of a point relative to the body, with a proof in coefficients of the generators as they are stored,
+    /// or a direction. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -30,7 +29,7 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
         Ok(locate(&query, &mut ()).with_nearest_basis(&query))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point. O(n) expected.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -43,7 +42,7 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
         locate(&self.query(other.into()), &mut ()).is_member()
     }
 
-    /// How two bodies meet where they stand, with a proof. O(n) expected.
+    /// The location of two bodies relative to each other where they stand, with a proof. O(n) expected.
     pub fn intersection<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Location<3> {
         let query = self.query(other.into());
         locate(&query, &mut ()).with_nearest_basis(&query)
@@ -55,15 +54,15 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
         by_support_simplex::proximity(&self.query(other.into()), &mut ()).distance()
     }
 
-    /// How near two closed bodies are where they stand, exactly for the poses as they are given. Expected O(n) for each
+    /// Proximity of two closed bodies where they stand, exactly for the poses as they are given. Expected O(n) for each
     /// of a few steps.
     pub fn proximity<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Proximity<3> {
         let query = self.query(other.into());
         by_support_simplex::proximity(&query, &mut ()).with_nearest_basis(&query)
     }
 
-    /// How deep two bodies overlap where they stand, within a hundredth. O(n) for each of some ten to some hundred
-    /// vertices.
+    /// Depth to which two bodies overlap where they stand, within a hundredth. O(n) for each of some ten to some
+    /// hundred vertices.
     pub fn penetration<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Penetration<3> {
         by_inner_polytope::penetration(&self.query(other.into()), &mut ())
     }
@@ -85,7 +84,7 @@ impl PreparedBody {
         self.placed().contains(point)
     }
 
-    /// Where a point lies relative to the body, with a proof. O(n) expected.
+    /// The location of a point relative to the body, with a proof. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -93,7 +92,7 @@ impl PreparedBody {
         self.placed().locate(point)
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point. O(n) expected.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -106,7 +105,7 @@ impl PreparedBody {
         self.placed().intersects(other)
     }
 
-    /// How two bodies meet, with a proof. O(n) expected.
+    /// The location of two bodies relative to each other, with a proof. O(n) expected.
     pub fn intersection<'b>(&self, other: impl Into<Placed<'b>>) -> Location<3> {
         self.placed().intersection(other)
     }

@@ -6,7 +6,7 @@
 //! of the next one as well. A corner stands for a line through the origin, so that corners on the edges and vertices of
 //! the cube belong to several faces; each has one name.
 
-use crate::collision::prepared::by_direction_tree::order::{face_of, place_on};
+use crate::zonotope::directions::cube_faces::{cell_at, face_of, place_on};
 
 /// The finest depth: a corner's coordinates have at most so many bits and one more.
 pub(super) const FINEST_DEPTH: u32 = 20;
@@ -28,7 +28,7 @@ pub(super) struct Corner {
 pub(super) fn finest_cell(v: &[f64; 3]) -> Option<Cell> {
     let face = face_of(v)?;
     let cells = 1u32 << FINEST_DEPTH;
-    let [column, row] = place_on(face, v).map(|c| (((c + 1.0) * 0.5 * f64::from(cells)) as u32).min(cells - 1));
+    let [column, row] = place_on(face, v).map(|c| cell_at(c, cells));
     let key = (face as u64) << (2 * FINEST_DEPTH) | spread(column) << 1 | spread(row);
     Some(Cell(key))
 }

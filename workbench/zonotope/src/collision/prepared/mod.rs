@@ -12,6 +12,8 @@
 //! | [`by_facets`] | O(n²) | O(n³), exact numbers | O(n²) | all facets written down, for small n |
 //! | [`choice`] | within a budget | | | the one of these that costs least for so many queries |
 //!
+//! [`Zonotope::prepared_for`](crate::Zonotope::prepared_for) asks the last one, and has the methods of a body.
+//!
 //! Every answer is exact, and so is its proof, which has constant size until it is [written
 //! out](by_direction_tree::Located::expand).
 //! [`Explicit faces`](crate::collision::by_explicit_faces) answer a single query from the face lattice.

@@ -84,7 +84,7 @@ impl Frame {
     }
 
     /// The exponent of the power of two that takes a coordinate of the frame to the units of the input.
-    pub(super) fn scale(&self, axis: usize) -> i64 {
+    pub(crate) fn scale(&self, axis: usize) -> i64 {
         self.scales[axis]
     }
 

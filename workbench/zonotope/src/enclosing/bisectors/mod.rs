@@ -13,17 +13,20 @@ mod corners;
 mod frame;
 mod lines;
 mod pairs;
+mod search;
 
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
+use crate::lad::kernel_input::MadeLines;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 pub(crate) use frame::{Frame, NearestCenter};
 use lines::Lines;
+pub use search::{Candidate, PruningCell};
 
 /// The lines ℓ_t of a hull with area.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Bisectors<'h> {
     hull: &'h ConvexHull,
     farthest: &'h [FarthestVertex],
@@ -45,6 +48,12 @@ impl<'h> Bisectors<'h> {
     pub fn kernel_problem(&self) -> LadProblem<'h> {
         let lines = self.lines();
         LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
+    }
+
+    /// Rows (a, b, c), rounded, with e_t × (X − P_s − P_t) = a x + b y + c at the kernel point (x, y) of O.
+    pub(crate) fn rows(&self) -> Vec<[f64; 3]> {
+        let lines = self.lines();
+        (0..self.farthest.len()).map(|t| lines.row(t).0).collect()
     }
 
     fn lines(&self) -> Lines<'h> {

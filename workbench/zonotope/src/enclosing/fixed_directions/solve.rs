@@ -10,6 +10,8 @@
 
 mod refine;
 
+use std::cell::Cell;
+
 use self::refine::refine;
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
 use super::contain::contain;
@@ -26,6 +28,11 @@ use crate::numeric::outward::at_most;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::Tally;
 use crate::zonotope::ray_exit::FacetMap;
+
+/// The work that exact numbers may take in all for the sake of a better answer, in products of words: some half a
+/// second. Programs of a hundred normals in numbers of like sizes take less, those of numbers of all sizes would take
+/// far more.
+const EXACT_WORK_LIMIT: u64 = 1 << 25;
 
 /// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the
 /// generation that begins with the axes as normals, and returns the number of rows of the method's own program.
@@ -93,14 +100,22 @@ fn prove<const D: usize>(
     let center = if is_flat { cheapest_center(setting, &nearest.map(rational), &coefficients) } else { nearest };
     // A guess may be off by more than doubles allow where numbers are of many sizes; from a point of its own the
     // zonotope needs no guess.
-    let mut answer = contain(problem, scaled, center, &coefficients, &mut generation.map)
+    let exact_work = Cell::new(EXACT_WORK_LIMIT);
+    let mut answer = contain(problem, scaled, center, &coefficients, &mut generation.map, &exact_work)
         .or_else(|_| {
-            contain(problem, scaled, problem.points()[0], &vec![0.0; coefficients.len()], &mut generation.map)
+            contain(
+                problem,
+                scaled,
+                problem.points()[0],
+                &vec![0.0; coefficients.len()],
+                &mut generation.map,
+                &exact_work,
+            )
         })?
         .zonotope;
     (answer.lower_bound, answer.multipliers, answer.effort) = (lower_bound, multipliers, effort);
     if !answer.is_tight() {
-        refine(setting, active, &mut generation.map, &mut answer)?;
+        refine(setting, active, &mut generation.map, &exact_work, &mut answer)?;
     }
     if answer.value == f64::INFINITY { Err(FixedDirectionsError::OutOfRange) } else { Ok(answer) }
 }
@@ -122,7 +137,7 @@ pub(crate) fn contained<const D: usize>(
     let guess = |d: &KeptDirection<D>| scale_by_power_of_two(coefficients[d.index], d.exponent - scaled.exponent);
     let guess: Vec<f64> = scaled.directions.iter().map(guess).collect();
     let mut map = FacetMap::new(scaled.rank, &vectors);
-    let container = contain(problem, &scaled, center, &guess, &mut map).ok()?;
+    let container = contain(problem, &scaled, center, &guess, &mut map, &Cell::new(EXACT_WORK_LIMIT)).ok()?;
     Some(container.zonotope.coefficients)
 }
 

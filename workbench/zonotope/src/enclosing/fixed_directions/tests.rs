@@ -6,6 +6,7 @@ use super::*;
 use crate::interop::verifier::{check_min_length_dirs, check_min_length_dirs_at_any_gap};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::scale_by_power_of_two;
 
 fn rational(value: f64) -> Rational {
     Dyadic::from_f64(value).to_rational()
@@ -98,6 +99,23 @@ macro_rules! dimensions {
                 }
 
                 #[test]
+                fn thin_points_along_thin_directions(
+                    points in real::<$d>(4..9), directions in real::<$d>($least..$most),
+                    thickness in 2i32..10, scale in -140i32..141, length in -140i32..141,
+                ) {
+                    let thin = |v: [f64; $d], scale: i32| {
+                        let scale = 10f64.powi(scale);
+                        let last = scale * 10f64.powi(-thickness);
+                        std::array::from_fn(|c| v[c] * if c + 1 == $d { last } else { scale })
+                    };
+                    let points: Vec<[f64; $d]> = points.into_iter().map(|p| thin(p, scale)).collect();
+                    let directions: Vec<[f64; $d]> = directions.into_iter().map(|v| thin(v, length)).collect();
+                    // the centre's rounding is as much larger as directions are nearer to a plane
+                    let within = 1e-12 * 10f64.powi(thickness);
+                    check(&points, &directions, &WEIGHTS[..directions.len()], within)?;
+                }
+
+                #[test]
                 fn flat_spans(
                     basis in proptest::collection::vec(
                         proptest::array::uniform((-255i16..256).prop_map(f64::from)), 1..$d.max(2)
@@ -161,6 +179,27 @@ fn flat_zonotopes_and_points_off_them_by_rounding() {
     let points = [[3.0, -2.0, -2.0], [0.0, 0.0, 0.0], [3.0, 0.0, -2.0]];
     let directions = [[-3.0, 1.0, 2.0], [0.0, 0.0, 1.0], [3.0, 2.0, -2.0]];
     check(&points, &directions, &[1.0; 3], TIGHT).expect("two of the three hold a triangle");
+}
+
+#[test]
+fn points_that_are_as_thin_as_three_directions() {
+    let points = [
+        [0.9341457239005668, 0.025167906384397032, 1.3747859149938301e-08],
+        [1.9970515970534222, -0.2738072501638927, 1.9175085947669797e-07],
+        [0.7136745205940151, -0.874496063276953, -5.6426516017966896e-08],
+        [0.8490592924692077, 1.3183575815002477, 1.9842036839898916e-07],
+        [2.8021655855115952, 0.07452587395378504, 6.313787402704028e-08],
+        [1.4163946769729212, 0.18874687167921994, -1.9850642553384503e-08],
+    ];
+    let directions = [
+        [-1.3787239772860895, 0.19461420318493317, 8.868033086691614e-08],
+        [1.8579963071555796, 0.28591407333651225, 4.874695394707977e-08],
+        [-1.244083564188005, -0.14846532690268097, -9.387504601832642e-09],
+    ];
+    for scale in [0, -460, 460] {
+        let points = points.map(|p| p.map(|c| scale_by_power_of_two(c, scale)));
+        check(&points, &directions, &[1.0; 3], 1e-8).expect("all of the points that need more are taken up");
+    }
 }
 
 #[test]

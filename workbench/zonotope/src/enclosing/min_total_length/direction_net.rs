@@ -8,7 +8,7 @@
 //! cell's middle and within 2 sqrt(d − 1)/m of each of its corners. The faces lie outside the open unit ball, where x ↦
 //! x/|x| increases no distance. So the bounds hold for the unit vectors as well.
 
-pub use crate::enclosing::cube_grids::{cell_corners, cell_middles};
+pub use crate::zonotope::directions::cube_faces::{cell_corners, cell_middles};
 
 /// The nets that [`by_direction_net`](super::by_direction_net) takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -102,6 +102,10 @@ impl<const D: usize> Circle<'_, D> {
     /// The farthest vertex that a walk around the circle of a subset meets, with its distance; every choice of signs
     /// for the subset's own multipliers is tried at every place. Vertices that belong to [`FarVertices::on_circles`]
     /// join `on_circle`. `None` if the subset is dependent within rounding.
+    ///
+    /// With s the sum of the other multipliers and o that of the own ones, for some signs, the farther one of s ± o has
+    /// the squared distance |s|² + |o|² + 2 |s · o|: half of the choices of signs are enough, and no vertex is computed
+    /// before it is known to matter.
     fn farthest(
         &mut self,
         rank: usize,
@@ -128,37 +132,70 @@ impl<const D: usize> Circle<'_, D> {
             self.crossings.push((cotangent, j, is_positive));
         }
         self.crossings.sort_unstable_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
-        let mut best = Self::with_signs(&own, &sum);
+        let own = own_sums(&own);
+        let mut best = Candidate::at(&own, &sum);
         let (mut last, mut is_rising) = (best, true);
         for &(_, j, was_positive) in &self.crossings {
             let change = if was_positive { -2.0 } else { 2.0 };
             let multiplier = &self.multipliers[j];
             sum = std::array::from_fn(|c| sum[c] + change * multiplier[c]);
-            let candidate = Self::with_signs(&own, &sum);
-            if candidate.0 < last.0 && is_rising && last.0 > least * least {
-                on_circle.push(last.1);
+            let candidate = Candidate::at(&own, &sum);
+            if candidate.square < last.square && is_rising && last.square > least * least {
+                on_circle.push(last.vertex(&own));
             }
-            is_rising = candidate.0 >= last.0;
+            is_rising = candidate.square >= last.square;
             last = candidate;
-            if candidate.0 > best.0 {
+            if candidate.square > best.square {
                 best = candidate;
             }
         }
-        Some((best.0.sqrt(), best.1))
+        let vertex = best.vertex(&own);
+        Some((length(&vertex), vertex))
+    }
+}
+
+/// The sums of a subset's own multipliers for every choice of signs, of two opposite ones the first, each with its
+/// squared length.
+fn own_sums<const D: usize>(own: &[[f64; D]]) -> Vec<([f64; D], f64)> {
+    let choices = 1usize << own.len().saturating_sub(1);
+    let sum = |choice: usize| {
+        own.iter().enumerate().fold([0.0; D], |sum: [f64; D], (i, multiplier)| {
+            let sign = if choice >> i & 1 == 0 { 1.0 } else { -1.0 };
+            std::array::from_fn(|c| sum[c] + sign * multiplier[c])
+        })
+    };
+    (0..choices).map(sum).map(|sum| (sum, dot(&sum, &sum))).collect()
+}
+
+/// The farthest of the vertices at one place of a walk.
+#[derive(Clone, Copy)]
+struct Candidate<const D: usize> {
+    /// The squared distance from the origin, rounded.
+    square: f64,
+    /// The sum of the multipliers outside the subset.
+    others: [f64; D],
+    /// The place of the sum of the own ones, and whether it is taken away.
+    own: (usize, bool),
+}
+
+impl<const D: usize> Candidate<D> {
+    fn at(own: &[([f64; D], f64)], others: &[f64; D]) -> Self {
+        let mut best = Self { square: f64::NEG_INFINITY, others: *others, own: (0, false) };
+        for (place, (sum, square)) in own.iter().enumerate() {
+            let along = dot(sum, others);
+            let square = square + 2.0 * along.abs();
+            if square > best.square {
+                (best.square, best.own) = (square, (place, along < 0.0));
+            }
+        }
+        best.square += dot(others, others);
+        best
     }
 
-    /// The farthest of the points `sum` ± the subset's own multipliers, with its squared distance.
-    fn with_signs(own: &[[f64; D]], sum: &[f64; D]) -> (f64, [f64; D]) {
-        let choices = 1usize << own.len();
-        let candidates = (0..choices).map(|choice| {
-            let mut vertex = *sum;
-            for (i, multiplier) in own.iter().enumerate() {
-                let sign = if choice >> i & 1 == 0 { 1.0 } else { -1.0 };
-                vertex = std::array::from_fn(|c| vertex[c] + sign * multiplier[c]);
-            }
-            (dot(&vertex, &vertex), vertex)
-        });
-        candidates.max_by(|a, b| a.0.total_cmp(&b.0)).expect("there is at least one choice")
+    fn vertex(&self, own: &[([f64; D], f64)]) -> [f64; D] {
+        let (place, is_taken) = self.own;
+        let sign = if is_taken { -1.0 } else { 1.0 };
+        std::array::from_fn(|c| self.others[c] + sign * own[place].0[c])
     }
 }
 

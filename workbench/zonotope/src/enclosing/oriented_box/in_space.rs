@@ -42,9 +42,9 @@
 //! ```
 
 use super::{OrientedBox, in_units, out_of_units, smallest_rectangle};
-use crate::enclosing::cube_grids::cell_corners;
 use crate::hull::in_space::{SolidHull, solid_hull};
 use crate::numeric::linear::{cross, dot};
+use crate::zonotope::directions::cube_faces::cell_corners;
 
 /// The search goes by the points that are farthest along the corners of a net of so many cells.
 const FAR_POINT_CELLS: usize = 10;

@@ -11,15 +11,12 @@
 //! | `AllInDoubles` | at most [`WHOLE_LIMIT`] generators | `FlatBody` |
 //! | `ParallelClasses` | more, of few directions as far as a sample shows | `CorrectedSample` |
 //! | `SeparatingGuess` | a sample has a smooth optimum, and the location is all that is asked | `SampledCell` |
-//! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` where the optimum seems
-//! near, else as below |
+//! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` near the optimum, or as below |
 //! | `WiderCell` | once | `CorrectedSample`; `ParallelClasses` where no sample was drawn |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
-//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `CuttingPlanes` of
-//! more than [`WHOLE_LIMIT`] generators, else `ExactVertex` |
-//! | `CuttingPlanes` | where the search by samples leaves a doubt, too | `ExactVertex` |
-//! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none |
-//! `ExactInCells` |
+//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | the next one |
+//! | `CuttingPlanes` | more than [`WHOLE_LIMIT`] generators of which doubles leave a doubt | `ExactVertex` |
+//! | `ExactVertex` | a search in doubles proved too little of its last vertex, or found none | `ExactInCells` |
 //! | `ExactInCells` | cells are known | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
@@ -98,7 +95,7 @@ pub(crate) fn climb(
 ) -> (Optimum, Rung) {
     let p = query.rounded_displacement();
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
-        return (Optimum::Centre, Rung::ZeroDisplacement);
+        return (Optimum::Center, Rung::ZeroDisplacement);
     }
     let problem = Problem { vertex, at_vertex, ..Problem::new(query, p, goal) };
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };

@@ -33,7 +33,7 @@ pub(crate) fn nearest_gauge(query: &dyn KernelQuery, optimum: &Optimum, tally: &
         Optimum::Rounded(decided) => near_optimum(query, decided, tally)
             .unwrap_or_else(|| exact_of(query, &query.exact(), decided, tally).gauge()),
         Optimum::Flat(flat) => nearest_gauge(&flat.prism.query(), &flat.optimum, tally),
-        Optimum::Centre | Optimum::Separated(_) | Optimum::Ended | Optimum::Exact(_) => optimum.gauge(),
+        Optimum::Center | Optimum::Separated(_) | Optimum::Ended | Optimum::Exact(_) => optimum.gauge(),
     }
 }
 

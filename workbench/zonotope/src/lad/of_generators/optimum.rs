@@ -9,7 +9,7 @@ use super::span::prism::Prism;
 #[derive(Debug)]
 pub(crate) enum Optimum {
     /// The displacement is zero.
-    Centre,
+    Center,
     /// The location was all that was asked, and a direction u with u · p > h(u) was found before the optimum.
     Separated([f64; 3]),
     /// The caller ended the search at a vertex.
@@ -35,7 +35,7 @@ impl Optimum {
     /// The gauge with a bound for its error; infinite where no multiple of the body holds the displacement. O(1).
     pub(crate) fn gauge(&self) -> (f64, f64) {
         match self {
-            Self::Centre => (0.0, 0.0),
+            Self::Center => (0.0, 0.0),
             Self::Separated(_) | Self::Ended => (f64::INFINITY, f64::INFINITY),
             Self::Rounded(decided) => decided.gauge(),
             Self::Exact(exact) => exact.gauge(),
@@ -47,7 +47,7 @@ impl Optimum {
     /// an edge, perhaps those of the facet beside it. O(1).
     pub(crate) fn basis(&self) -> &[usize] {
         match self {
-            Self::Centre | Self::Separated(_) | Self::Ended => &[],
+            Self::Center | Self::Separated(_) | Self::Ended => &[],
             Self::Rounded(decided) => &decided.optimum.basis,
             Self::Exact(exact) => &exact.basis,
             Self::Flat(flat) => flat.basis(),
@@ -57,7 +57,7 @@ impl Optimum {
     /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
     pub(crate) fn is_sharp(&self) -> bool {
         match self {
-            Self::Centre | Self::Separated(_) | Self::Ended => false,
+            Self::Center | Self::Separated(_) | Self::Ended => false,
             Self::Rounded(decided) => decided.optimum.is_vertex(),
             Self::Exact(_) => true,
             Self::Flat(flat) => flat.optimum.is_sharp(),
@@ -67,7 +67,7 @@ impl Optimum {
     /// Whether the displacement is certainly in the closed body. O(1).
     pub(crate) fn is_member(&self) -> bool {
         match self {
-            Self::Centre => true,
+            Self::Center => true,
             Self::Separated(_) | Self::Ended => false,
             Self::Rounded(decided) => decided.order.is_le(),
             Self::Exact(exact) => exact.along <= exact.reach,

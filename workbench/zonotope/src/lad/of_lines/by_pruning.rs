@@ -90,9 +90,44 @@ const LARGEST_CROSSING_SHARE: f64 = 0.8;
 /// Distance, in radii of the cell, up to which an optimum expected outside the cell does not yet move the cell.
 const LARGEST_TRUSTED_DISTANCE: f64 = 1.25;
 
+/// A cell of the search, with the lines that it was taken among.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TracedCell {
+    /// The positions in the problem of the lines of the subproblem, or of a sample of it.
+    pub(crate) lines: Vec<usize>,
+    /// Those of the lines that may cross the cell.
+    pub(crate) crossing: Vec<usize>,
+    /// The corners of the cell in the scaled frame, counter-clockwise.
+    pub(crate) corners: [[f64; 2]; 4],
+}
+
+/// The course of a search: the number of lines above which it prunes, and the visitor of each cell with the lines that
+/// may cross it.
+struct Course<'r> {
+    limit: usize,
+    at_cell: &'r mut dyn FnMut(&Subproblem, &Cell, &[u32]),
+}
+
 /// Minimises a problem by pruning. `seed` decides the samples, and with them the time, never the minimum.
 pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     LadOutcome::new(solve(&Subproblem::whole(problem), seed, tally))
+}
+
+/// [`minimize`], pruning whenever there are more than `limit` lines, with every cell of the search in order; those
+/// within a vertex where many lines meet are left out.
+pub(crate) fn trace(problem: &LadProblem, limit: usize, seed: u64) -> (LadOutcome, Vec<TracedCell>) {
+    let mut cells = Vec::new();
+    let mut at_cell = |subproblem: &Subproblem, cell: &Cell, crossing: &[u32]| {
+        let position = |line: u32| subproblem.position(line);
+        cells.push(TracedCell {
+            lines: (0..subproblem.len() as u32).map(position).collect(),
+            crossing: crossing.iter().map(|&line| position(line)).collect(),
+            corners: cell.corners(),
+        });
+    };
+    let mut course = Course { limit, at_cell: &mut at_cell };
+    let outcome = LadOutcome::new(solve_above(&mut course, &Subproblem::whole(problem), seed, &mut ()));
+    (outcome, cells)
 }
 
 /// A minimiser of a problem that is bounded below, without the coefficients that prove it.
@@ -105,7 +140,7 @@ pub(crate) fn minimizer(problem: &LadProblem, seed: u64, tally: &mut impl Tally)
 
 /// Solves a subproblem by pruning, the default wherever one arises.
 pub(crate) fn solve<T: Tally>(subproblem: &Subproblem, seed: u64, tally: &mut T) -> Solution {
-    solve_above(LINE_SEARCH_LIMIT, subproblem, seed, tally)
+    solve_above(&mut Course { limit: LINE_SEARCH_LIMIT, at_cell: &mut |_, _, _| () }, subproblem, seed, tally)
 }
 
 /// The decision at vertices where many lines meet, by this method again: what every method uses.
@@ -113,23 +148,23 @@ pub(crate) fn tie_break<T: Tally>(seed: u64) -> TieBreak<T> {
     TieBreak { seed, solve }
 }
 
-/// [`solve`], pruning whenever there are more than `limit` lines.
-fn solve_above<T: Tally>(limit: usize, subproblem: &Subproblem, seed: u64, tally: &mut T) -> Solution {
+/// [`solve`], pruning whenever there are more lines than the course's limit.
+fn solve_above<T: Tally>(course: &mut Course<'_>, subproblem: &Subproblem, seed: u64, tally: &mut T) -> Solution {
     solve_with(subproblem, &tie_break(seed), tally, |first, tally| {
-        search_above(limit, subproblem, None, first, seed, tally)
+        search_above(course, subproblem, None, first, seed, tally)
     })
 }
 
 /// [`minimize`], pruning whenever there are more than `limit` lines.
 #[cfg(test)]
 pub(super) fn minimize_above(limit: usize, problem: &LadProblem, seed: u64) -> LadOutcome {
-    LadOutcome::new(solve_above(limit, &Subproblem::whole(problem), seed, &mut ()))
+    trace(problem, limit, seed).0
 }
 
 /// Searches in a cell that is expected to contain the optimum, where the caller has one, else around the optimum of a
 /// sample.
 fn search_above<T: Tally>(
-    limit: usize,
+    course: &mut Course<'_>,
     subproblem: &Subproblem,
     expected: Option<Cell>,
     first: u32,
@@ -138,32 +173,34 @@ fn search_above<T: Tally>(
 ) -> Solution {
     let descend_from_first =
         |tally: &mut T| descend(subproblem, SearchLine::of(subproblem, first), &tie_break(seed), tally);
-    if subproblem.len() <= if expected.is_some() { limit / 4 } else { limit } {
+    if subproblem.len() <= if expected.is_some() { course.limit / 4 } else { course.limit } {
         return descend_from_first(tally);
     }
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let (cell, mut best) = match expected {
         Some(cell) => (Some(cell), None),
         None => {
-            let sample = sample::draw(limit, subproblem, &mut random);
+            let sample = sample::draw(course.limit, subproblem, &mut random);
             sample.count_pass(tally);
             if let Some(line) = one_side::boundary_line(subproblem, &sample, tally) {
                 return descend(subproblem, SearchLine::of(subproblem, line), &tie_break(seed), tally);
             }
-            match first_cell(limit, subproblem, &sample, &mut random, tally) {
+            match first_cell(course, subproblem, &sample, &mut random, tally) {
                 Some((cell, vertex)) => (cell, Some(vertex)),
                 None => return descend_from_first(tally),
             }
         }
     };
     if let Some(cell) = cell
-        && let Some(solution) = search_near(limit, subproblem, cell, &mut best, &mut random, tally)
+        && let Some(solution) = search_near(course, subproblem, cell, &mut best, &mut random, tally)
     {
         return solution;
     }
     match best {
         Some(vertex) => descend_from(subproblem, vertex.unnamed(), &tie_break(seed), tally),
-        None if subproblem.len() > limit => search_above(limit, subproblem, None, first, random.random(), tally),
+        None if subproblem.len() > course.limit => {
+            search_above(course, subproblem, None, first, random.random(), tally)
+        }
         None => descend_from_first(tally),
     }
 }
@@ -171,7 +208,7 @@ fn search_above<T: Tally>(
 /// Searches in a cell and in others near it. `best` is left at the optimum of the lines that crossed the last cell
 /// solved.
 fn search_near<T: Tally>(
-    limit: usize,
+    course: &mut Course<'_>,
     subproblem: &Subproblem,
     mut cell: Cell,
     best: &mut Option<Vertex>,
@@ -181,6 +218,7 @@ fn search_near<T: Tally>(
     for _ in 0..CELL_LIMIT {
         tally.add(Operation::SearchStep, 1);
         let split = cell.split(subproblem, tally);
+        (course.at_cell)(subproblem, &cell, &split.crossing);
         let crossing = split.crossing.len();
         if crossing == 0 {
             if split.is_certainly_slanted(subproblem) {
@@ -190,7 +228,7 @@ fn search_near<T: Tally>(
             let nearest = subproblem.nearest_line(cell.center, tally)?;
             return Some(descend(subproblem, SearchLine::of(subproblem, nearest), &tie_break(random.random()), tally));
         }
-        if crossing == subproblem.len() && crossing > limit {
+        if crossing == subproblem.len() && crossing > course.limit {
             return None;
         }
         let rest = [0, 1].map(|i| subproblem.linear[i] + split.sum[i]);
@@ -205,7 +243,7 @@ fn search_near<T: Tally>(
             cell = expected?;
             continue;
         }
-        if let Solution::Optimal(optimal) = within(limit, subproblem, cell, split, expected, random.random(), tally)
+        if let Solution::Optimal(optimal) = within(course, subproblem, cell, split, expected, random.random(), tally)
             && let Some(vertex) = &optimal.vertex
         {
             if cell.contains(vertex.point) && optimal.defining.len() == 2 {
@@ -220,14 +258,14 @@ fn search_near<T: Tally>(
 
 /// The optimum of a sample, and a cell around it unless all lines of the sample meet there.
 fn first_cell<T: Tally>(
-    limit: usize,
+    course: &mut Course<'_>,
     subproblem: &Subproblem,
     sample: &Subproblem,
     random: &mut Pcg64Mcg,
     tally: &mut T,
 ) -> Option<(Option<Cell>, Vertex)> {
     let seed = random.random();
-    let solution = solve_above(limit, sample, seed, tally);
+    let solution = solve_above(course, sample, seed, tally);
     let Solution::Optimal(optimal) = solution else { return None };
     let vertex = optimal.vertex?;
     let center = vertex.point;
@@ -239,7 +277,7 @@ fn first_cell<T: Tally>(
 
 /// The solution of the lines that cross a cell, with the signs of all the others.
 fn within<T: Tally>(
-    limit: usize,
+    course: &mut Course<'_>,
     subproblem: &Subproblem,
     cell: Cell,
     split: Split,
@@ -250,7 +288,7 @@ fn within<T: Tally>(
     let Split { crossing, rows, signs, sum, sum_error, .. } = split;
     let remainder = subproblem.remainder(&crossing, rows, signs, sum, sum_error);
     let solution = solve_with(&remainder, &tie_break(seed), tally, |first, tally| {
-        search_above(limit, &remainder, expected, first, seed, tally)
+        search_above(course, &remainder, expected, first, seed, tally)
     });
     match solution {
         Solution::Optimal(optimal) => {

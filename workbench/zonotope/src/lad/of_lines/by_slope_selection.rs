@@ -86,8 +86,11 @@ pub struct SearchStep {
     pub vertices_before: u64,
     /// The number of candidate vertices that the line leaves.
     pub vertices_after: u64,
-    /// The point at which the objective is least on the line, if it is bounded there.
+    /// The point at which the objective is least on the line, if it is bounded there; each coordinate within a relative
+    /// 2^-50.
     pub minimum: Option<[f64; 2]>,
+    /// That point, exactly.
+    pub exact_minimum: Option<[Rational; 2]>,
     /// The side of the vertical line on which the minimisers lie.
     pub side: Side,
 }
@@ -105,6 +108,15 @@ pub enum Side {
     Unbounded,
 }
 
+impl SearchStep {
+    /// The step at other coordinates.
+    pub(crate) fn new(exact_x: Rational, exact_minimum: Option<[Rational; 2]>, step: Self) -> Self {
+        let rounded = |value: &Rational| value.to_f64().value();
+        let minimum = exact_minimum.as_ref().map(|point| point.each_ref().map(rounded));
+        Self { x: rounded(&exact_x), exact_x, minimum, exact_minimum, ..step }
+    }
+}
+
 /// Minimises a problem by the paper's search. `seed` decides the time, never the minimum.
 pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     solve(problem, seed, tally, &mut |_, _| ())
@@ -114,7 +126,7 @@ pub fn minimize(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadO
 pub fn trace(problem: &LadProblem, seed: u64) -> (LadOutcome, Vec<SearchStep>) {
     let mut steps = Vec::new();
     let outcome = solve(problem, seed, &mut (), &mut |vertical, after| {
-        steps.push(vertical.step(problem.point_scale(), after));
+        steps.push(vertical.step(problem, after));
     });
     (outcome, steps)
 }
@@ -227,15 +239,20 @@ impl VerticalLine {
         }
     }
 
-    fn step(&self, point_scale: i64, vertices_after: u64) -> SearchStep {
-        let scaled = |v: f64| scale_by_power_of_two(v, point_scale);
-        let x = Fraction { numerator: self.x.numerator.clone().scaled(point_scale), ..self.x.clone() };
+    fn step(&self, problem: &LadProblem, vertices_after: u64) -> SearchStep {
+        let scale = problem.point_scale();
+        let x = Fraction { numerator: self.x.numerator.clone().scaled(scale), ..self.x.clone() };
+        let exact_minimum = self.minimum.as_ref().map(|vertex| {
+            let [x, y, w] = vertex.exact(problem);
+            [x, y].map(|c| c.clone().scaled(scale).to_rational() / w.to_rational())
+        });
         SearchStep {
             x: x.to_f64(),
             exact_x: x.to_rational(),
             vertices_before: self.candidates,
             vertices_after,
-            minimum: self.minimum.as_ref().map(|vertex| vertex.point.map(scaled)),
+            minimum: self.minimum.as_ref().map(|vertex| vertex.point.map(|v| scale_by_power_of_two(v, scale))),
+            exact_minimum,
             side: self.side,
         }
     }

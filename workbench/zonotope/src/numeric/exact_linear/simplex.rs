@@ -12,6 +12,10 @@ use dashu_int::ops::BitTest;
 
 use crate::numeric::Rational;
 
+/// The work of a change of an entry beside that of its products and common divisors: as much as numbers of a few words
+/// take.
+pub(crate) const WORK_PER_CHANGE: u64 = 32;
+
 /// Work without a limit.
 pub(crate) const ANY_WORK: u64 = u64::MAX;
 
@@ -69,7 +73,8 @@ impl Tableau<'_> {
             for (entry, pivot) in other.iter_mut().zip(&pivot_row) {
                 if !pivot.is_zero() {
                     let longest = words(&factor) + words(pivot) + words(entry);
-                    *self.work = self.work.checked_sub(longest * longest).ok_or(NoOptimum::TooMuchWork)?;
+                    let change = longest * longest + WORK_PER_CHANGE;
+                    *self.work = self.work.checked_sub(change).ok_or(NoOptimum::TooMuchWork)?;
                     *entry -= &factor * pivot;
                 }
             }
@@ -182,7 +187,7 @@ mod tests {
             |mut work| maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1, &mut work).map(|optimum| optimum.value);
         assert_eq!(of(ANY_WORK), Err(NoOptimum::Unbounded));
         let of = |mut work| maximize(&columns, &numbers(&[5]), 1, &mut work).map(|optimum| optimum.value);
-        assert_eq!((of(10), of(1000)), (Err(NoOptimum::TooMuchWork), Ok(10.into())));
+        assert_eq!((of(10), of(100_000)), (Err(NoOptimum::TooMuchWork), Ok(10.into())));
     }
 
     /// Beale's example, on which the largest-coefficient rule cycles.

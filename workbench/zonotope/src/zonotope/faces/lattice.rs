@@ -200,7 +200,7 @@ impl FaceLattice {
     }
 
     /// Half the sum of the edges of a zone, exactly, pointing as they do.
-    pub(super) fn exact_half_edge(&self, zone: Zone) -> [Dyadic; 3] {
+    pub(crate) fn exact_half_edge(&self, zone: Zone) -> [Dyadic; 3] {
         let (class, turned) = self.circles.classes[zone.0 as usize];
         let sum = self.directions.exact_sum(class as usize, self.body.generators());
         if turned { sum.map(|c| -c) } else { sum }

@@ -15,6 +15,7 @@ use super::chart::{Chart, NOWHERE};
 use super::descent::FacetDescent;
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::directions::cube_faces::cell_at;
 
 /// The facets of zonotopes along directions, as far as they are known.
 pub(crate) struct FacetMap<const D: usize> {
@@ -181,10 +182,7 @@ impl<const D: usize> FacetMap<D> {
     fn cell(&self, ray: &[f64; D]) -> usize {
         let face = (0..self.rank).fold(0, |face, c| if ray[c].abs() > ray[face].abs() { c } else { face });
         let others = (0..self.rank).filter(|&c| c != face);
-        others.fold(face, |cell, c| {
-            let along = (0.5 + 0.5 * ray[c] / ray[face]) * self.per_edge as f64;
-            cell * self.per_edge + (along as usize).min(self.per_edge - 1)
-        })
+        others.fold(face, |cell, c| cell * self.per_edge + cell_at(ray[c] / ray[face], self.per_edge as u32) as usize)
     }
 }
 

@@ -93,13 +93,49 @@ fn fields_that_could_change_the_body_are_named() {
     assert!(refused(r#"{"x":[1,2],"generators":[[1,0]]}"#).starts_with("z.json: x: this field"));
     let hybrid = r#"{"Gc":[[1],[0]],"Gb":[[0],[1]],"c":[1,2],"Ac":[[1]],"Ab":[[1]],"b":[0]}"#;
     assert!(refused(hybrid).starts_with("z.json: Gc: this field"), "zonoLAB");
-    assert!(refused(r#"{"Z":[[1,1,0],[2,0,1]]}"#).starts_with("z.json: Z: this field"), "CORA");
+    let of_cora = refused(r#"{"Z":[[1,1,0],[2,0,1]]}"#);
+    assert!(of_cora.starts_with("z.json: Z: this is the matrix [c G] of CORA"), "{of_cora}");
+    assert!(["`c`", "`G`", "--columns-are-generators", "--center-first"].iter().all(|name| of_cora.contains(name)));
     assert!(refused(r#"{"generators":[[1,0]],"radius":3}"#).starts_with("z.json: radius: this field"));
     assert!(refused(r#"{"kind":"gauge","input":{"p":[1,2],"q":[3,4],"generators":[[1,0]]}}"#).contains("input.p: "));
     // A constraint that is none changes nothing.
     let (unconstrained, told) = read(r#"{"c":[1,2],"G":[[1],[0]],"A":[],"b":[[]],"Gb":null}"#);
     assert_eq!(unconstrained.map(|placed| placed.body.generators), Ok(vec![vec![1.0, 0.0]]));
     assert_eq!(told, ["the fields `A`, `b` are not read"]);
+}
+
+/// A number under a name that says a turn, a move or a scale is refused, whatever the rest of the name is.
+#[test]
+fn names_of_motions_and_sizes_are_known_by_their_words() {
+    let names = "theta yaw pitch heading roll rotation_deg quaternion orientation position mesh_scale meshScale s size \
+        half_lengths halfspace angle scale box-size Length yaw_deg rotationAngle euler unit pose2d offsets";
+    for name in names.split_whitespace() {
+        for value in ["1.5", "[1,2,3]", r#"{"w":1}"#, r#""90 deg""#, r#""rotate(90)""#] {
+            for content in [
+                format!(r#"{{"generators":[[1,0],[0,1]],"{name}":{value}}}"#),
+                format!(r#"{{"body":{{"generators":[[1,0],[0,1]]}},"{name}":{value}}}"#),
+            ] {
+                assert!(refused(&content).contains(&format!("{name}: this field could change the body")), "{content}");
+            }
+        }
+    }
+    for name in ["triangles", "purpose", "composition", "parent", "comment"] {
+        let (square, told) = read(&format!(r#"{{"generators":[[1,0],[0,1]],"{name}":3}}"#));
+        assert!(square.is_ok(), "{name}");
+        assert_eq!(told, [format!("the field `{name}` is not read")]);
+    }
+}
+
+/// A text is a label, which moves nothing, under whatever name it stands.
+#[test]
+fn labels_earn_one_line() {
+    for name in ["frame", "frame_id", "parent", "unit", "order", "pose_frame", "scale"] {
+        for label in ["base_link", "mm", "/map", "left arm 2"] {
+            let (square, told) = read(&format!(r#"{{"generators":[[1,0],[0,1]],"{name}":"{label}"}}"#));
+            assert!(square.is_ok(), "{name} {label}");
+            assert_eq!(told, [format!("the field `{name}` is not read")]);
+        }
+    }
 }
 
 #[test]
@@ -140,7 +176,8 @@ fn a_pose_that_cannot_be_taken_is_named() {
     let posed = |pose: &str| refused(&format!(r#"{{"center":[1,2],"generators":[[1,0]],"pose":{pose}}}"#));
     assert_eq!(posed("{}"), "z.json: `pose` has neither `matrix` nor `translation`");
     assert_eq!(posed(r#"{"matrix":[[1,0,0],[0,1,0],[0,0,1]]}"#), "z.json: pose, matrix has 3 rows, not 2");
-    assert_eq!(posed(r#"{"rotation":[[1,0],[0,1]]}"#), "z.json: extra field `rotation` in `pose`");
+    let known = "; a pose has `matrix`, `translation` or both";
+    assert_eq!(posed(r#"{"rotation":[[1,0],[0,1]]}"#), format!("z.json: extra field `rotation` in `pose`{known}"));
     assert_eq!(
         posed(r#"{"translation":[1,"NaN"]}"#),
         "z.json: pose, translation, coordinate 2 is a string, not a number"

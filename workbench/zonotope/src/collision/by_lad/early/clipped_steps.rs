@@ -22,10 +22,13 @@ pub(super) const SAMPLE_STEPS: usize = 12;
 /// The most steps on all generators.
 const WHOLE_STEPS: usize = 6;
 
-/// The smooth problem at a point.
-pub(super) enum Sign {
+/// The end of Newton steps.
+pub(super) enum StepsEnd {
+    /// Coefficients that combine to the point.
     Inside(Combination),
+    /// A direction that is likely to separate.
     Outside([f64; 3]),
+    /// A point near the boundary, or too many steps.
     Neither,
 }
 
@@ -98,11 +101,11 @@ impl State {
         let effort = Effort { steps: WHOLE_STEPS, exact: true };
         let rung = Rung::ClippedCoefficients;
         match self.coefficients(query, lengths, &p.map(|c| c.value), among, effort) {
-            Sign::Inside(combination) => {
+            StepsEnd::Inside(combination) => {
                 inside(query, p, &combination, tally).map(|witness| Proof::inside(witness, rung))
             }
-            Sign::Outside(y) => separates(query, p, &y, tally).then(|| Proof::outside(y, rung)),
-            Sign::Neither => None,
+            StepsEnd::Outside(y) => separates(query, p, &y, tally).then(|| Proof::outside(y, rung)),
+            StepsEnd::Neither => None,
         }
     }
 
@@ -114,17 +117,17 @@ impl State {
         p: &[f64; 3],
         among: Among<'_>,
         effort: Effort,
-    ) -> Sign {
+    ) -> StepsEnd {
         let mut before: Option<Step> = None;
         for _ in 0..effort.steps {
             let at = self.at.take().unwrap_or_else(|| Moments::at(generators, lengths, &self.y));
             let gauge = dot(p, &self.y) / at.reach;
             if gauge > 1.0 {
-                return Sign::Outside(self.y);
+                return StepsEnd::Outside(self.y);
             }
             if gauge > INSIDE_GAUGE {
                 // steps that go on only creep up to the boundary, near which others decide
-                return Sign::Neither;
+                return StepsEnd::Neither;
             }
             self.gauge = self.gauge.max(gauge);
             let factor = self.aim();
@@ -135,13 +138,13 @@ impl State {
             }
             if let Some(combination) = at.combination(generators, lengths, &self.y, p, among, effort.exact) {
                 self.at = Some(at);
-                return Sign::Inside(combination);
+                return StepsEnd::Inside(combination);
             }
             let step = at.step(&target);
             before = Some(Step { from: self.y, step, slope: at.slope(&step, &target) });
             self.y = [0, 1, 2].map(|k| self.y[k] + step[k]);
         }
-        Sign::Neither
+        StepsEnd::Neither
     }
 }
 

@@ -28,18 +28,22 @@ const BLOCK: usize = 512;
 /// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
 const CLEARED_WHEN_TAKEN: usize = 1 << 14;
 
-/// Coefficients in terms of y, z and μ.
+/// Coefficients as functions of the generators: that of v is clip(v · y / |v|) times the factor μ, and v · z / |v| more
+/// where nothing was clipped; the header of `huber_dual` says why these combine to a point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Combination {
     y: [f64; 3],
     z: [f64; 3],
+    /// μ; with 0 the coefficients are products with z alone.
     factor: f64,
+    /// The lengths |v| by which products are divided.
     lengths: Lengths,
     /// The bound to which coefficients are clipped in the end.
     limit: f64,
 }
 
-/// Which rows of a run have their turn: those of a range in every period. All numbers are multiples of [`LANES`].
+/// Rows of a run that have their turn: of every `period` rows in succession those at the places of a range. All numbers
+/// are multiples of [`LANES`].
 #[derive(Debug, Clone)]
 pub(crate) struct Stretches {
     pub(crate) period: usize,

@@ -6,7 +6,7 @@
 //! of it. The fourth octets make up for the error: they get coefficients by Newton steps, which are exact, and need the
 //! sums of a quarter of the generators for each. A step on all of them would cost as much as all of this.
 
-use super::clipped_steps::{Effort, Sign, State, inside, separates};
+use super::clipped_steps::{Effort, State, StepsEnd, inside, separates};
 use super::combination::{Combination, Stretches};
 use super::huber_dual::{Among, Lengths, Moments, SAMPLE_MARGIN, WELL_WITHIN};
 use super::scaled_products::ScaledProducts;
@@ -56,8 +56,8 @@ pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dy
         return Some(Proof::inside(witness, Rung::LeastSquares));
     }
     // false for NaN as well
-    let is_clear = gauge < INSIDE_GAUGE;
-    if !is_clear {
+    let is_well_inside = gauge < INSIDE_GAUGE;
+    if !is_well_inside {
         return None;
     }
     if query.len() > TWO_PARTS_LIMIT {
@@ -86,7 +86,9 @@ fn locate_in_two_parts(
     let written = steady.write_all(query, &first, &mut coefficients);
     let rest = [0, 1, 2].map(|k| p[k].value - written.sum[k]);
     let effort = Effort { steps: QUARTER_STEPS, exact: true };
-    let Sign::Inside(exact) = state.coefficients(&Quarter(query), LENGTHS, &rest, AMONG, effort) else { return None };
+    let StepsEnd::Inside(exact) = state.coefficients(&Quarter(query), LENGTHS, &rest, AMONG, effort) else {
+        return None;
+    };
     let written = written.with(&exact.write_all(query, &last, &mut coefficients));
     let witness = written.witness(query, p, coefficients)?;
     Some(Proof::inside(witness, Rung::StratifiedPass))
@@ -124,7 +126,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     #[test]
-    fn clear_questions_about_prepared_bodies_are_told_in_few_passes() {
+    fn points_far_from_the_boundary_of_prepared_bodies_are_proved_in_few_passes() {
         let random = &mut Pcg64Mcg::seed_from_u64(3);
         for n in [330, 1100, 5000, 9000] {
             let mut counts = OperationCounts::default();
@@ -142,7 +144,9 @@ mod tests {
                 let query = Query::of_placed(a.placed(), b.placed());
                 assert!(are_known(&query));
                 let displacement = query.displacement_estimate();
-                let location = locate(&query, &displacement, &mut counts).expect("it is clear").counted(&mut counts);
+                let location = locate(&query, &displacement, &mut counts)
+                    .expect("it is far from the boundary")
+                    .counted(&mut counts);
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
             }

@@ -34,7 +34,7 @@ const SAMPLE: usize = 4;
 /// Above this number of generators the widest instructions are quicker.
 const NARROW_LIMIT: usize = 4 * LANES;
 
-/// Knowledge of a point beyond what one solve finds.
+/// State of a point that one solve proves neither inside nor outside.
 pub(crate) struct Open {
     /// The solution: the least coefficients are its products with the generators, each over its length where own
     /// lengths are taken.
@@ -301,12 +301,12 @@ mod tests {
     use super::*;
     use crate::interop::verifier::check_location;
 
-    fn told(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
+    fn proved(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
         let answers = [of_least::<true>(&query, &p).ok(), of_least::<false>(&query, &p).ok()];
-        let [own, even] = answers.map(|clear| {
-            let location = clear?.location;
+        let [own, even] = answers.map(|proof| {
+            let location = proof?.location;
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             Some(location.status().name())
         });
@@ -315,23 +315,23 @@ mod tests {
     }
 
     #[test]
-    fn points_of_a_cube_are_told() {
+    fn points_of_a_cube_are_proved() {
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        assert_eq!(told([0.9, -0.8, 0.999], &cube), Some("inside"));
-        assert_eq!(told([1.5, 0.0, 0.0], &cube), Some("outside"));
+        assert_eq!(proved([0.9, -0.8, 0.999], &cube), Some("inside"));
+        assert_eq!(proved([1.5, 0.0, 0.0], &cube), Some("outside"));
         // on the boundary, or too near to it
-        assert_eq!(told([1.0, 0.0, 0.0], &cube), None);
-        assert_eq!(told([0.99999, 0.0, 0.0], &cube), None);
-        assert_eq!(told([1.0 + f64::EPSILON, 0.0, 0.0], &cube), None);
+        assert_eq!(proved([1.0, 0.0, 0.0], &cube), None);
+        assert_eq!(proved([0.99999, 0.0, 0.0], &cube), None);
+        assert_eq!(proved([1.0 + f64::EPSILON, 0.0, 0.0], &cube), None);
     }
 
     #[test]
     fn flat_bodies_have_no_inside_and_large_ones_are_left() {
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
-        assert_eq!(told([0.5, 0.0, 0.0], &square), None);
-        assert_eq!(told([9.0, 0.0, 0.0], &square), Some("outside"));
+        assert_eq!(proved([0.5, 0.0, 0.0], &square), None);
+        assert_eq!(proved([9.0, 0.0, 0.0], &square), Some("outside"));
         let huge = [[f64::MAX, 0.0, 0.0], [0.0, f64::MAX, 0.0], [0.0, 0.0, f64::MAX]];
-        assert_eq!(told([1.0, 0.0, 0.0], &huge), None);
-        assert_eq!(told([0.0; 3], &[]), None);
+        assert_eq!(proved([1.0, 0.0, 0.0], &huge), None);
+        assert_eq!(proved([0.0; 3], &[]), None);
     }
 }

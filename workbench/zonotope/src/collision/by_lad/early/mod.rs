@@ -24,7 +24,7 @@ pub(crate) mod least_squares;
 mod scaled_products;
 pub(crate) mod stratified_pass;
 
-use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, separates};
+use self::clipped_steps::{Effort, SAMPLE_STEPS, State, StepsEnd, inside, separates};
 
 use crate::collision::Location;
 use crate::collision::answer::Proof;
@@ -182,8 +182,8 @@ fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn
             }
         }
         match state.coefficients(&sample, lengths, target, Among::Sample(&few), Effort { steps: SAMPLE_STEPS, exact }) {
-            Sign::Inside(combination) => Some(combination),
-            Sign::Outside(_) | Sign::Neither => None,
+            StepsEnd::Inside(combination) => Some(combination),
+            StepsEnd::Outside(_) | StepsEnd::Neither => None,
         }
     };
     tally.add(Operation::GeneratorRead, n as u64);
@@ -226,38 +226,38 @@ mod tests {
     }
 
     #[test]
-    fn what_is_clear_is_told_with_a_proof_and_mostly_at_once() {
+    fn points_far_from_the_boundary_are_proved_mostly_at_once() {
         let random = &mut Pcg64Mcg::seed_from_u64(5);
         for kind in 0..3 {
             for n in [6, 15, 40, 129, 1100] {
-                let (mut told, mut reads) = (0, 0);
+                let (mut proved, mut reads) = (0, 0);
                 for i in 0..20 {
                     let body = body(kind, n, random);
                     let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
                     let factor = [0.0, 0.2, 0.6, 1.6, 9.0][i % 5];
                     let query = Query::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
-                    let Some(clear) = locate(&query, &mut counts) else { continue };
-                    let location = clear.location;
+                    let Some(proof) = locate(&query, &mut counts) else { continue };
+                    let location = proof.location;
                     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                     assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
-                    (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
+                    (proved, reads) = (proved + 1, reads + counts.get(Operation::GeneratorRead));
                 }
-                assert!(told >= 14 && reads <= 4 * told * n as u64, "{kind} {n}: {told}, {reads}");
+                assert!(proved >= 14 && reads <= 4 * proved * n as u64, "{kind} {n}: {proved}, {reads}");
             }
         }
     }
 
     #[test]
-    fn nothing_is_told_that_is_not_so() {
+    fn every_proof_is_right() {
         let random = &mut Pcg64Mcg::seed_from_u64(7);
         for i in 0..300 {
             let body = body(i % 3, 3 + i % 7, random);
             let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
             let p = point(&body, u, random.random_range(0.7..1.4));
             let query = Query::new([0.0; 3], p, &body).expect("finite");
-            if let Some(clear) = locate(&query, &mut ()) {
-                let location = clear.location;
+            if let Some(proof) = locate(&query, &mut ()) {
+                let location = proof.location;
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&query).status());
             }
@@ -266,16 +266,16 @@ mod tests {
 
     #[test]
     fn extreme_bodies_are_left_to_others_and_so_are_most_flat_ones() {
-        let is_told = |size: f64, body: &[[f64; 3]]| {
+        let is_proved = |size: f64, body: &[[f64; 3]]| {
             let (p, body) = ([0.2, 0.3, 0.0].map(|c| size * c), body.iter().map(|v| v.map(|c| size * c)));
             let body: Vec<[f64; 3]> = body.collect();
             locate(&Query::new([0.0; 3], p, &body).expect("finite"), &mut ()).is_some()
         };
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        assert!(is_told(1.0, &cube) && is_told(1e60, &cube) && is_told(1e-60, &cube));
-        assert!(!is_told(f64::MAX, &cube) && !is_told(1e-200, &cube));
+        assert!(is_proved(1.0, &cube) && is_proved(1e60, &cube) && is_proved(1e-60, &cube));
+        assert!(!is_proved(f64::MAX, &cube) && !is_proved(1e-200, &cube));
         // the plane's normal is (3, −2, 0)
-        assert!(!is_told(1.0, &[]) && !is_told(1.0, &[[2.0, 3.0, 0.0], [2.0, 3.0, 1.0], [0.0, 0.0, 1.0]]));
+        assert!(!is_proved(1.0, &[]) && !is_proved(1.0, &[[2.0, 3.0, 0.0], [2.0, 3.0, 1.0], [0.0, 0.0, 1.0]]));
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
             let query = Query::new([0.0; 3], p, &square).expect("finite");

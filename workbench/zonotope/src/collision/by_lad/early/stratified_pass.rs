@@ -55,7 +55,7 @@ impl StratifiedPass {
         }
     }
 
-    /// In how many generators a part has a stretch, and where that is.
+    /// The period of a part in generators, and the place of its stretch in it.
     fn places(self, part: u32) -> (usize, Range<usize>) {
         let first = self.group << part.saturating_sub(1);
         let end = self.stretch * if part == 0 { first - 1 } else { first };

@@ -12,6 +12,7 @@ use super::target::Target;
 use super::vertex::{Reduced, Vertex};
 use crate::collision::by_lad;
 use crate::collision::prepared::by_cutting::structure::tree::{Trapezoid, Tree};
+use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, negated, sum};
@@ -63,11 +64,11 @@ fn at_direction(
     tally: &mut dyn Tally,
 ) -> Option<Vertex> {
     tally.add(Operation::PartEvaluation, reduced.members.len() as u64);
-    let (rounded, in_pairs) = (direction.rounded(), DoubleDoubleDirection::of(direction));
+    let (rounded, in_pairs) = (direction.over::<Bounded>(), DoubleDoubleDirection::of(direction));
     let mut members = Vec::new();
     let signed = reduced.members.iter().map(|&index| {
         let v = target.query.generator(index);
-        let certain = linear::dot(&rounded, &v.rounded()).sign().or_else(|| in_pairs.certain_sign(&v));
+        let certain = linear::dot(&rounded, &bounded::exact(v)).sign().or_else(|| in_pairs.certain_sign(&v));
         let sign = certain.unwrap_or_else(|| dot(&exact(v), direction).sign() as i8);
         if sign == 0 {
             members.push(index);

@@ -66,7 +66,7 @@ impl<'b> Facet<'b> {
 
     /// Where the point lies, with its proof. O(n).
     pub fn location(&self) -> Location<3> {
-        let optimum = self.optimum.as_ref().map_or(Optimum::Centre, |(optimum, known)| {
+        let optimum = self.optimum.as_ref().map_or(Optimum::Center, |(optimum, known)| {
             let mut signs = DirectionSigns::new(&self.query, &optimum.direction).all(&optimum.direction);
             known.iter().for_each(|&(index, sign)| signs[index] = sign);
             optimum.basis.iter().for_each(|&index| signs[index] = 0);

@@ -1,59 +1,41 @@
-//! Vectors of which the signs of products are decided in doubles with bounds, in doubles with an exponent of their own,
-//! in pairs of doubles, in exact numbers, each where the ones before leave a doubt.
+//! Vectors of which the signs of products are decided in one precision after another.
 
 use std::cmp::Ordering;
 
 use crate::numeric::bounded::wide::BoundedWide;
-use crate::numeric::bounded::{self, BoundedVector};
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::exact_linear::{ExactVector, exact, negated, sum};
+use crate::numeric::double_double::Precision;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::{cross, dot};
 
 /// A vector, or a positive multiple of it, in the precisions that are tried.
 pub(crate) trait Vector {
-    /// In doubles with bounds.
-    fn rounded(&self) -> BoundedVector;
-    /// In doubles with bounds and an exponent of their own.
-    fn wide(&self) -> [BoundedWide; 3];
-    /// In pairs of doubles with bounds.
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3];
-    /// Exactly.
-    fn exact(&self) -> ExactVector;
+    /// The vector in one precision.
+    fn over<N: Precision>(&self) -> [N; 3];
+
+    /// The vector, exactly.
+    fn exact(&self) -> ExactVector {
+        self.over()
+    }
 }
 
 impl Vector for [f64; 3] {
-    fn rounded(&self) -> BoundedVector {
-        bounded::exact(*self)
-    }
-
-    fn wide(&self) -> [BoundedWide; 3] {
-        self.map(BoundedWide::exact)
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        self.map(BoundedDoubleDouble::exact)
-    }
-
-    fn exact(&self) -> ExactVector {
-        exact(*self)
+    fn over<N: Precision>(&self) -> [N; 3] {
+        self.map(N::of_double)
     }
 }
 
 impl Vector for ExactVector {
-    fn rounded(&self) -> BoundedVector {
-        self.in_pairs().map(|c| c.rounded())
+    fn over<N: Precision>(&self) -> [N; 3] {
+        self.each_ref().map(N::of)
     }
+}
 
-    fn wide(&self) -> [BoundedWide; 3] {
-        self.each_ref().map(BoundedWide::of)
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        self.each_ref().map(BoundedDoubleDouble::of)
-    }
-
-    fn exact(&self) -> ExactVector {
-        self.clone()
+impl<V: Vector> Vector for &V {
+    fn over<N: Precision>(&self) -> [N; 3] {
+        (*self).over()
     }
 }
 
@@ -65,30 +47,22 @@ pub(crate) struct Filtered<V> {
 
 impl<V: Vector> Filtered<V> {
     pub(crate) fn new(vector: V) -> Self {
-        Self { rounded: vector.rounded(), vector }
+        Self { rounded: vector.over(), vector }
     }
 
     /// The vector, exactly.
     pub(crate) fn exact(&self) -> ExactVector {
         self.vector.exact()
     }
-}
 
-impl<V: Vector> Vector for &V {
-    fn rounded(&self) -> BoundedVector {
-        (*self).rounded()
+    /// a · (b × c), a being this vector.
+    fn determinant<N: Precision>(&self, b: &Filtered<impl Vector>, c: &Filtered<impl Vector>) -> N {
+        dot(&b.product(c), &self.vector.over())
     }
 
-    fn wide(&self) -> [BoundedWide; 3] {
-        (*self).wide()
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        (*self).in_pairs()
-    }
-
-    fn exact(&self) -> ExactVector {
-        (*self).exact()
+    /// The cross product with another vector.
+    fn product<N: Precision>(&self, other: &Filtered<impl Vector>) -> [N; 3] {
+        cross(&self.vector.over(), &other.vector.over())
     }
 }
 
@@ -100,24 +74,9 @@ pub(crate) struct Shifted<'a, V> {
 }
 
 impl<V: Vector> Vector for Shifted<'_, V> {
-    fn rounded(&self) -> BoundedVector {
-        let (base, by) = (self.base.rounded, self.by.rounded());
-        [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
-    }
-
-    fn wide(&self) -> [BoundedWide; 3] {
-        let (base, by) = (self.base.vector.wide(), self.by.wide());
-        [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        let (base, by) = (self.base.vector.in_pairs(), self.by.in_pairs());
-        [0, 1, 2].map(|k| if self.is_reversed { base[k] - by[k] } else { base[k] + by[k] })
-    }
-
-    fn exact(&self) -> ExactVector {
-        let by = self.by.clone();
-        sum(&self.base.vector.exact(), &if self.is_reversed { negated(by) } else { by })
+    fn over<N: Precision>(&self) -> [N; 3] {
+        let (base, by) = (self.base.vector.over::<N>(), self.by.over::<N>());
+        [0, 1, 2].map(|k| if self.is_reversed { base[k].minus(&by[k]) } else { base[k].plus(&by[k]) })
     }
 }
 
@@ -127,34 +86,39 @@ pub(crate) fn sign_of_determinant(
     b: &Filtered<impl Vector>,
     c: &Filtered<impl Vector>,
 ) -> Ordering {
-    let rounded = dot(&cross(&b.rounded, &c.rounded), &a.rounded).sign();
-    let wide = || dot(&cross(&b.vector.wide(), &c.vector.wide()), &a.vector.wide()).sign();
-    let in_pairs = || dot(&cross(&b.vector.in_pairs(), &c.vector.in_pairs()), &a.vector.in_pairs()).sign();
-    let exactly = || dot(&cross(&b.vector.exact(), &c.vector.exact()), &a.vector.exact()).sign();
-    rounded.or_else(wide).or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
+    let rounded = dot(&cross(&b.rounded, &c.rounded), &a.rounded).certain_sign();
+    let wide = || a.determinant::<BoundedWide>(b, c).certain_sign();
+    let in_pairs = || a.determinant::<BoundedDoubleDouble>(b, c).certain_sign();
+    rounded.or_else(wide).or_else(in_pairs).unwrap_or_else(|| a.determinant::<Dyadic>(b, c).sign())
 }
 
 /// The sign of a · b.
 pub(crate) fn sign_of_product(a: &Filtered<impl Vector>, b: &Filtered<impl Vector>) -> Ordering {
-    let rounded = dot(&a.rounded, &b.rounded).sign();
-    let wide = || dot(&a.vector.wide(), &b.vector.wide()).sign();
-    let in_pairs = || dot(&a.vector.in_pairs(), &b.vector.in_pairs()).sign();
-    let exactly = || dot(&a.vector.exact(), &b.vector.exact()).sign();
-    rounded.or_else(wide).or_else(in_pairs).map_or_else(exactly, |sign| sign.cmp(&0))
+    fn along<N: Precision>(a: &Filtered<impl Vector>, b: &Filtered<impl Vector>) -> N {
+        dot(&a.vector.over(), &b.vector.over())
+    }
+    let rounded = dot(&a.rounded, &b.rounded).certain_sign();
+    let wide = || along::<BoundedWide>(a, b).certain_sign();
+    let in_pairs = || along::<BoundedDoubleDouble>(a, b).certain_sign();
+    rounded.or_else(wide).or_else(in_pairs).unwrap_or_else(|| along::<Dyadic>(a, b).sign())
 }
 
 /// Whether two vectors are parallel, or one of them is zero.
 pub(crate) fn are_parallel(a: &Filtered<impl Vector>, b: &Filtered<impl Vector>) -> bool {
-    let is_certainly_not = cross(&a.rounded, &b.rounded).iter().any(|c| c.sign().is_some())
-        || cross(&a.vector.wide(), &b.vector.wide()).iter().any(|c| c.sign().is_some())
-        || cross(&a.vector.in_pairs(), &b.vector.in_pairs()).iter().any(|c| c.sign().is_some());
-    !is_certainly_not && cross(&a.vector.exact(), &b.vector.exact()).iter().all(|c| c.is_zero())
+    fn is_certain<N: Precision>(product: [N; 3]) -> bool {
+        product.iter().any(|c| c.certain_sign().is_some_and(Ordering::is_ne))
+    }
+    let is_certainly_not = is_certain::<Bounded>(cross(&a.rounded, &b.rounded))
+        || is_certain::<BoundedWide>(a.product(b))
+        || is_certain::<BoundedDoubleDouble>(a.product(b))
+        || is_certain::<Dyadic>(a.product(b));
+    !is_certainly_not
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::dyadic::Dyadic;
+    use crate::numeric::exact_linear::exact;
 
     #[test]
     fn signs_are_those_of_exact_products() {

@@ -1,9 +1,7 @@
 //! The displacement that a query is about, or its opposite.
 
 use super::filtered::Vector;
-use crate::numeric::bounded::BoundedVector;
-use crate::numeric::bounded::wide::BoundedWide;
-use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::double_double::Precision;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, negated};
 use crate::zonotope::query::Query;
@@ -16,24 +14,11 @@ pub(crate) struct Target<'q> {
     pub(crate) p: ExactVector,
     /// The displacement, scaled such that its longest coordinate is about 1.
     pub(crate) direction: ExactVector,
-    in_pairs: [BoundedDoubleDouble; 3],
 }
 
 impl Vector for Target<'_> {
-    fn rounded(&self) -> BoundedVector {
-        self.in_pairs.map(|c| c.rounded())
-    }
-
-    fn wide(&self) -> [BoundedWide; 3] {
-        self.direction.wide()
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        self.in_pairs
-    }
-
-    fn exact(&self) -> ExactVector {
-        self.direction.clone()
+    fn over<N: Precision>(&self) -> [N; 3] {
+        self.direction.over()
     }
 }
 
@@ -43,17 +28,12 @@ impl<'q> Target<'q> {
         let p = query.exact();
         let exponent = p.iter().filter_map(Dyadic::binary_exponent).max()?;
         let direction = p.clone().map(|c| c.scaled(-exponent));
-        Some(Self::scaled(query, p, direction))
+        Some(Self { query, p, direction })
     }
 
     /// The opposite displacement, relative to the same generators; the body is the same seen from there.
     pub(crate) fn opposite(self, generators: &'q [[f64; 3]]) -> Self {
         let query = Query::of_finite(self.query.to(), self.query.from(), generators);
-        Self::scaled(query, negated(self.p), negated(self.direction))
-    }
-
-    fn scaled(query: Query<'q, 3>, p: ExactVector, direction: ExactVector) -> Self {
-        let in_pairs = direction.in_pairs();
-        Self { query, p, direction, in_pairs }
+        Self { query, p: negated(self.p), direction: negated(self.direction) }
     }
 }

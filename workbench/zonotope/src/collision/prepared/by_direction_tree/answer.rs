@@ -179,7 +179,7 @@ impl<P: Standing> Located<'_, P> {
 /// Whether the gauge is below 1; none where it is above.
 fn is_strict(optimum: &Optimum) -> Option<bool> {
     match optimum {
-        Optimum::Centre => Some(true),
+        Optimum::Center => Some(true),
         Optimum::Separated(_) | Optimum::Ended => None,
         Optimum::Rounded(decided) => (decided.order == Ordering::Less).then_some(true),
         Optimum::Exact(exact) => match exact.along.cmp(&exact.reach) {

@@ -59,7 +59,7 @@ impl<P: Standing> TreeQuery<'_, P> {
         let front = |i: usize, place: [f64; 3]| {
             let Some(tree) = self.trees[i] else { return Some(Placed::point(place)) };
             let body = tree.first_body.as_ref()?.placed();
-            Some(body.standing_as(*self.query.parts()[i].standing()).centred_at(place))
+            Some(body.standing_as(*self.query.parts()[i].standing()).centered_at(place))
         };
         let is_finite = longer.iter().all(|c| c.is_finite());
         let query = Query::of_placed(front(0, [0.0; 3])?, front(1, longer).filter(|_| is_finite)?);

@@ -69,7 +69,7 @@ mod early;
 mod exact_sums;
 mod guess;
 mod nodes;
-pub(in crate::collision) mod order;
+mod order;
 mod part;
 mod placed;
 mod query;

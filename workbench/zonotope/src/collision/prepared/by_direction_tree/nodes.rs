@@ -6,11 +6,12 @@
 
 use std::ops::Range;
 
-use super::order::{LEAF, Ordered, place_on};
+use super::order::{LEAF, Ordered};
 use super::slab::Slab;
 use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::lanes::blocks::Block;
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::directions::cube_faces::place_on;
 
 /// Nodes of a block, the children of one node.
 pub(super) const CHILDREN: usize = 8;

@@ -9,6 +9,8 @@
 
 use std::ops::Range;
 
+use crate::zonotope::directions::cube_faces::{face_of, place_on};
+
 /// Generators of a leaf.
 pub(super) const LEAF: usize = 64;
 
@@ -60,24 +62,6 @@ impl Ordered {
         let row = |(&index, &turn): (&u32, &bool)| generators[index as usize].map(|c| if turn { -c } else { c });
         Self { rows: places.iter().zip(&is_turned).map(row).collect(), places, is_turned, faces }
     }
-}
-
-/// The axis along which a vector is longest; none for the zero vector.
-pub(in crate::collision) fn face_of(v: &[f64; 3]) -> Option<usize> {
-    let [x, y, z] = v.map(f64::abs);
-    let face = if x >= y && x >= z {
-        0
-    } else if y >= z {
-        1
-    } else {
-        2
-    };
-    (v[face] != 0.0).then_some(face)
-}
-
-/// The two coordinates on a face at which the line of a vector meets it, each off by half a unit in the last place.
-pub(in crate::collision) fn place_on(face: usize, v: &[f64; 3]) -> [f64; 2] {
-    [v[(face + 1) % 3] / v[face], v[(face + 2) % 3] / v[face]]
 }
 
 /// Brings the places of a node into the order of its leaves; `capacity` is LEAF times a power of two and at least their

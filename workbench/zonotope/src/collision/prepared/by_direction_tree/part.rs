@@ -51,7 +51,7 @@ impl TreePart<'_> {
         if !tree.is_moderate {
             return Part { rows: Rows::new(&tree.rows), frame }.support(u);
         }
-        self.in_frame(u, |u| tree.centred_support(u))
+        self.in_frame(u, |u| tree.centered_support(u))
     }
 
     /// The value of a function of Mᵀ u in the place of Σ |v · u|, with what the rounding of Mᵀ u may take off that sum.

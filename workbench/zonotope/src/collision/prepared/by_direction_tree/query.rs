@@ -87,7 +87,7 @@ impl DirectionTree {
     }
 
     /// Σ |v · u| with a bound of its error. O(√n) nodes of a random body.
-    pub(super) fn centred_support(&self, u: &[f64; 3]) -> Bounded {
+    pub(super) fn centered_support(&self, u: &[f64; 3]) -> Bounded {
         let mut places = Places::with_capacity(USUAL_CROSSING);
         let fixed = self.split(&DirectionCone { center: *u, axes: None, ball: 0.0 }, &mut places);
         let near: Vec<[f64; 3]> = places.iter().map(|&place| self.rows[place as usize]).collect();

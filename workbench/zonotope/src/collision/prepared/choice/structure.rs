@@ -86,6 +86,16 @@ impl QueryStructure {
         self.kind
     }
 
+    /// The body in blocks, if that is the structure.
+    pub(in crate::collision) fn blocks(&self) -> Option<&PreparedBody> {
+        if let Held::Blocks(body) = &self.held { Some(body) } else { None }
+    }
+
+    /// The tree, if that is the structure.
+    pub(in crate::collision) fn tree(&self) -> Option<&DirectionTree> {
+        if let Held::DirectionTree(tree) = &self.held { Some(tree) } else { None }
+    }
+
     /// The bytes that it holds, the generators included.
     pub fn bytes(&self) -> u64 {
         match &self.held {

@@ -161,7 +161,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     /// The proof that a pair gives, checked exactly.
-    fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
+    fn proved(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location;
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
@@ -174,19 +174,19 @@ mod tests {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.5, 0.0, 0.25]];
         // the top is an octagon around (0.5, 0, 1.25)
         for (x, y) in [(0.0, 0.0), (2.5, 0.5), (-2.0, 0.25), (0.0, 2.75)] {
-            assert_eq!(told(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
-            assert_eq!(told(&body, [-0.5 - x, -y, -1.25], [3, 1]), Some("boundary"), "{x} {y}");
+            assert_eq!(proved(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
+            assert_eq!(proved(&body, [-0.5 - x, -y, -1.25], [3, 1]), Some("boundary"), "{x} {y}");
         }
         // edges and corners of it
         for (x, y) in [(3.0, 1.0), (3.0, 0.25), (-3.0, -1.0), (1.0, 3.0), (0.5, 3.0), (2.0, 2.0), (-2.5, 1.5)] {
-            assert_eq!(told(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
+            assert_eq!(proved(&body, [0.5 + x, y, 1.25], [0, 1]), Some("boundary"), "{x} {y}");
         }
         // beside it, in its plane
-        assert_eq!(told(&body, [5.5, 0.0, 1.25], [0, 1]), None);
-        assert_eq!(told(&body, [0.5 + 3.0, 1.25, 1.25], [0, 1]), None);
+        assert_eq!(proved(&body, [5.5, 0.0, 1.25], [0, 1]), None);
+        assert_eq!(proved(&body, [0.5 + 3.0, 1.25, 1.25], [0, 1]), None);
         // a unit in the last place above and below
-        assert_ne!(told(&body, [0.5, 0.0, 1.25f64.next_up()], [0, 1]), Some("boundary"));
-        assert_ne!(told(&body, [0.5, 0.0, 1.25f64.next_down()], [0, 1]), Some("boundary"));
+        assert_ne!(proved(&body, [0.5, 0.0, 1.25f64.next_up()], [0, 1]), Some("boundary"));
+        assert_ne!(proved(&body, [0.5, 0.0, 1.25f64.next_down()], [0, 1]), Some("boundary"));
     }
 
     #[test]
@@ -206,7 +206,7 @@ mod tests {
             };
             let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -coefficient(v), v));
             let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
-            let answer = told(&body, p, pair);
+            let answer = proved(&body, p, pair);
             assert!(answer.is_none() || answer == Some(status), "{answer:?} {status} {body:?} {p:?}");
             found += u32::from(answer == Some("boundary"));
         }

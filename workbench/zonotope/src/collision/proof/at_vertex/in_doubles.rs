@@ -281,7 +281,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     /// The proof that a pair gives, checked exactly.
-    fn told(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
+    fn proved(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let location = location_by_pair(&query, &bounded::exact(p), pair)?.location;
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
@@ -291,15 +291,15 @@ mod tests {
     #[test]
     fn the_top_of_a_cube_worked_out_by_hand() {
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        assert_eq!(told(&cube, [0.3, 0.2, 0.999], [0, 1]), Some("inside"));
-        assert_eq!(told(&cube, [-0.3, -0.2, -0.999], [1, 0]), Some("inside"));
-        assert_eq!(told(&cube, [0.3, 0.2, 1.001], [0, 1]), Some("outside"));
+        assert_eq!(proved(&cube, [0.3, 0.2, 0.999], [0, 1]), Some("inside"));
+        assert_eq!(proved(&cube, [-0.3, -0.2, -0.999], [1, 0]), Some("inside"));
+        assert_eq!(proved(&cube, [0.3, 0.2, 1.001], [0, 1]), Some("outside"));
         // the ray leaves through another side, and still the coefficients are in [−1, 1]
-        assert_eq!(told(&cube, [0.9, 0.0, 0.1], [0, 1]), Some("inside"));
-        assert_eq!(told(&cube, [0.3, 0.2, 1.0], [0, 1]), Some("boundary"));
+        assert_eq!(proved(&cube, [0.9, 0.0, 0.1], [0, 1]), Some("inside"));
+        assert_eq!(proved(&cube, [0.3, 0.2, 1.0], [0, 1]), Some("boundary"));
         // beyond another side; a pair without a normal
-        assert_eq!(told(&cube, [1.2, 0.0, 0.1], [0, 1]), None);
-        assert_eq!(told(&cube, [0.3, 0.2, 0.5], [0, 0]), None);
+        assert_eq!(proved(&cube, [1.2, 0.0, 0.1], [0, 1]), None);
+        assert_eq!(proved(&cube, [0.3, 0.2, 0.5], [0, 0]), None);
     }
 
     #[test]
@@ -308,10 +308,10 @@ mod tests {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.3, 0.0, 0.0]];
         for (x, y) in [(0.0, 0.0), (2.5, 0.7), (-3.2, 0.1), (0.0, 2.9)] {
             for factor in [0.5, 1.0 - 1e-9] {
-                assert_eq!(told(&body, [x, y, 1.0].map(|c| factor * c), [0, 1]), Some("inside"), "{x} {y}");
+                assert_eq!(proved(&body, [x, y, 1.0].map(|c| factor * c), [0, 1]), Some("inside"), "{x} {y}");
             }
         }
-        assert_eq!(told(&body, [5.0, 0.0, 0.9], [0, 1]), None);
+        assert_eq!(proved(&body, [5.0, 0.0, 0.9], [0, 1]), None);
     }
 
     #[test]
@@ -320,7 +320,7 @@ mod tests {
         let answers = |factor: f64| {
             let p = [0.3, 0.1, 8e-9].map(|c| factor * c);
             let pairs = (0..5).flat_map(|i| (0..i).map(move |j| [i, j]));
-            pairs.filter_map(|pair| told(&body, p, pair)).collect::<Vec<_>>()
+            pairs.filter_map(|pair| proved(&body, p, pair)).collect::<Vec<_>>()
         };
         let gauge = brute_force::gauge(&Query::new([0.0; 3], [0.3, 0.1, 8e-9], &body).expect("finite")).value;
         assert_eq!(answers((1.0 - 1e-9) / gauge), ["inside"]);
@@ -346,7 +346,7 @@ mod tests {
                 let p = direction.map(|c| c * (factor / gauge));
                 let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
                 let pairs = (0..n).flat_map(|i| (0..i).map(move |j| [i, j]));
-                let answers: Vec<_> = pairs.filter_map(|pair| told(&body, p, pair)).collect();
+                let answers: Vec<_> = pairs.filter_map(|pair| proved(&body, p, pair)).collect();
                 assert!(answers.iter().all(|answer| *answer == status), "{answers:?} {status} {body:?} {p:?}");
                 if factor != 1.0 {
                     (asked, answered) = (asked + 1, answered + u32::from(!answers.is_empty()));

@@ -281,10 +281,10 @@ mod tests {
 
     /// Doubles suffice mostly, but not for coefficients much smaller than the others.
     #[test]
-    fn doubles_tell_them() {
+    fn doubles_know_them() {
         let random = &mut Pcg64Mcg::seed_from_u64(3);
         for n in [3, 6, 40, 245, 900] {
-            let (mut asked, mut told) = (0, 0);
+            let (mut asked, mut proved) = (0, 0);
             for i in 0..60 {
                 let rows: Vec<[f64; 3]> = (0..n).map(|_| [0; 3].map(|_| random.random_range(-1.0..1.0))).collect();
                 let share = [0.2, 0.7, 1.0][i % 3];
@@ -298,11 +298,11 @@ mod tests {
                 let posed = Query::of_placed(body.at(&Pose::IDENTITY), body.at(&pose));
                 let plain = witness(&locate(&query, &mut ())).map(|witness| compared(&query, witness));
                 let placed = witness(&locate(&posed, &mut ())).map(|witness| compared(&posed, witness));
-                for was_told in plain.into_iter().chain(placed) {
-                    (asked, told) = (asked + 1, told + usize::from(was_told));
+                for is_known in plain.into_iter().chain(placed) {
+                    (asked, proved) = (asked + 1, proved + usize::from(is_known));
                 }
             }
-            assert!(asked >= 60 && 4 * told >= 3 * asked, "{n}: {told} of {asked}");
+            assert!(asked >= 60 && 4 * proved >= 3 * asked, "{n}: {proved} of {asked}");
         }
     }
 
@@ -317,11 +317,11 @@ mod tests {
     fn compared<P: Standing>(query: &Query<'_, 3, P>, witness: &Witness) -> bool {
         let exact = exact_basis(query, witness).expect("the witness is one");
         let exact: Vec<f64> = exact.iter().map(|value| value.to_f64().value()).collect();
-        let told = in_doubles(query, witness);
-        for (own, exact) in told.iter().flatten().zip(&exact) {
+        let proved = in_doubles(query, witness);
+        for (own, exact) in proved.iter().flatten().zip(&exact) {
             assert!((exact.next_down()..=exact.next_up()).contains(own), "{own} {exact}");
         }
-        told.is_some()
+        proved.is_some()
     }
 
     #[test]

@@ -1,19 +1,14 @@
 //! Proofs of a location from an optimum of the kernel: a direction that separates, or coefficients that combine to
 //! the displacement.
 //!
-//! | rung | what it proves | without room for rounding |
+//! | rung | proves | without room for rounding |
 //! |---|---|---|
-//! | `RoundedDirection` | outside: the facet's direction in doubles, with room for every rounding error | the exact
-//! optimum |
-//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third
-//! ([`in_doubles`]) | `WellSpreadBasis` |
-//! | `WellSpreadBasis` | a member: one factor for all generators but three others, where those of the facet are nearly
-//! parallel | the exact optimum |
-//! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) |
-//! `RationalDirection` |
+//! | `RoundedDirection` | outside: the facet's direction in doubles | the exact optimum |
+//! | `RoundedCoefficients` | a member: one factor but for the two of the facet and a third ([`in_doubles`]) | the next one |
+//! | `WellSpreadBasis` | a member: one factor but for three others, the two nearly parallel | the exact optimum |
+//! | `DirectionOfDoubles` | outside, exactly: doubles near the exact direction ([`separation`]) | the next one |
 //! | `RationalDirection` | outside, exactly: the direction itself | |
-//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`exactly`]) | `PivotedCoefficients`
-//! |
+//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`exactly`]) | the next one |
 //! | `PivotedCoefficients` | a member, exactly: group after group of coefficients is rounded ([`pivot`]) | |
 
 pub(crate) mod exactly;
@@ -52,7 +47,7 @@ pub(in crate::collision) fn proof(
     tally: &mut dyn Tally,
 ) -> Proof {
     match optimum {
-        Optimum::Centre => of_center(query),
+        Optimum::Center => of_center(query),
         Optimum::Separated(direction) => Proof::outside(*direction, Rung::RoundedDirection),
         Optimum::Ended => ended_with.expect("a search is ended where a proof was found"),
         Optimum::Rounded(decided) => of_decided(query, decided, tally),

@@ -37,7 +37,7 @@ pub(super) struct LocalSums {
 impl LocalSums {
     /// Keeps the cells that are still around a direction of the body's frame, and makes smaller ones down to the radius
     /// `least`. Returns how many generators were read.
-    pub(super) fn centre_on(&mut self, rows: Rows<'_>, direction: [f64; 3], least: f64) -> usize {
+    pub(super) fn center_on(&mut self, rows: Rows<'_>, direction: [f64; 3], least: f64) -> usize {
         let length = euclidean_norm(&direction);
         let center = direction.map(|c| c / length);
         if !center.iter().all(|c| c.is_finite()) {

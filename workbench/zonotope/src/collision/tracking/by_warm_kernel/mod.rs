@@ -178,7 +178,7 @@ impl<'b> WarmTracker<'b> {
         let mut sums = std::mem::take(&mut self.sums);
         for (part, sums) in Generators::parts(query).iter().zip(&mut sums) {
             let own = part.frame.map_or(direction, |frame| frame.pulled(&direction));
-            let read = sums.centre_on(part.rows, own, ROOM_AROUND * radius);
+            let read = sums.center_on(part.rows, own, ROOM_AROUND * radius);
             tally.add(Operation::GeneratorRead, read as u64);
         }
         let p = query.rounded_displacement();
@@ -263,6 +263,6 @@ fn vertex_of(optimum: &Optimum) -> Option<([f64; 3], Option<[usize; 2]>)> {
     match optimum {
         Optimum::Rounded(decided) => Some((decided.optimum.direction.map(|c| c.value), Some(decided.optimum.basis))),
         Optimum::Exact(exact) => Some((rounded_direction(&exact.direction), exact.basis[..].try_into().ok())),
-        Optimum::Centre | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
+        Optimum::Center | Optimum::Separated(_) | Optimum::Ended | Optimum::Flat(_) => None,
     }
 }

@@ -112,7 +112,7 @@ fn local_sums_are_those_of_a_pass() {
         let step = vector(random);
         let size = if i % 50 == 49 { 1.0 } else { 1e-4 };
         direction = [0, 1, 2].map(|k| direction[k] + size * step[k]);
-        sums.centre_on(rows, direction, 1e-3);
+        sums.center_on(rows, direction, 1e-3);
         let radius = [1e-4, 5e-4, 0.05, 0.5][i % 4];
         let off = vector(random);
         let center = [0, 1, 2].map(|k| 7.0 * (direction[k] + 1e-4 * off[k]));

@@ -13,8 +13,8 @@ use crate::numeric::exact_linear::sum_of_products;
 use crate::numeric::linear::inverse;
 use crate::numeric::scaling::scale_by_power_of_two;
 
-/// The pivots for all points of a body may take this much work together, in products of words.
-pub(super) const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
+/// The work of an exact product of doubles and its sum with another one.
+const WORK_PER_PRODUCT: u64 = 16;
 
 /// A zonotope along the kept directions of a problem, whose containment of points is proved.
 pub(super) struct Body<'a, const D: usize> {
@@ -33,8 +33,8 @@ pub(super) struct Body<'a, const D: usize> {
     pub(super) basis_inverse: [[f64; D]; D],
     /// The inverse of the basis's matrix in the coordinates of the input, exactly.
     pub(super) exact_inverse: Vec<Vec<Rational>>,
-    /// The work that linear programs in rationals may still take, in products of words.
-    pub(super) rational_work: Cell<u64>,
+    /// The work that is left for exact numbers, in products of words.
+    pub(super) exact_work: &'a Cell<u64>,
 }
 
 /// The generators in scaled coordinates, rounded, from coefficients in scaled units.
@@ -52,6 +52,7 @@ impl<'a, const D: usize> Body<'a, D> {
         scaled: &'a Scaled<D>,
         center: [f64; D],
         coefficients: Vec<f64>,
+        exact_work: &'a Cell<u64>,
     ) -> Self {
         let units = scaled.directions.iter().map(|d| d.exponent - scaled.exponent);
         let in_scale: Vec<f64> = coefficients.iter().zip(units).map(|(&c, u)| scale_by_power_of_two(c, u)).collect();
@@ -67,7 +68,6 @@ impl<'a, const D: usize> Body<'a, D> {
         }
         // A singular matrix gets an inverse that `basis_inverse_error` refuses.
         let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
-        let rational_work = Cell::new(RATIONAL_WORK_LIMIT);
         Self {
             problem,
             scaled,
@@ -78,7 +78,7 @@ impl<'a, const D: usize> Body<'a, D> {
             basis,
             basis_inverse,
             exact_inverse,
-            rational_work,
+            exact_work,
         }
     }
 
@@ -97,6 +97,8 @@ impl<'a, const D: usize> Body<'a, D> {
     /// The residual point − p − Σ δ_i c_i v_i in the coordinates of the span, exactly.
     pub(super) fn residual(&self, point: &[f64; D], deltas: &[f64]) -> Vec<Dyadic> {
         let coordinates = &self.scaled.coordinates;
+        let products = self.generators.len() as u64 * coordinates.len() as u64;
+        self.exact_work.set(self.exact_work.get().saturating_sub(WORK_PER_PRODUCT * products));
         let mut rest: Vec<Dyadic> =
             coordinates.iter().map(|&c| Dyadic::from_f64(point[c]) - Dyadic::from_f64(self.center[c])).collect();
         for ((direction, &c), &delta) in self.scaled.directions.iter().zip(&self.coefficients).zip(deltas) {

@@ -23,6 +23,8 @@ mod missing;
 mod rational_coefficients;
 mod thickened;
 
+use std::cell::Cell;
+
 use super::answer::DirectedZonotope;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
@@ -44,16 +46,17 @@ const BOUNDARY_REACH_MARGIN: f64 = 1e-9;
 /// for it.
 const NEGLIGIBLE_LENGTH: f64 = 1e-14;
 
-/// A zonotope that contains all points of a problem, and the point that it was enlarged for.
+/// A zonotope that contains all points of a problem, and the points that it was enlarged for.
 pub(super) struct Container<const D: usize> {
     /// The zonotope; its lower bound is yet to be filled in.
     pub(super) zonotope: DirectedZonotope<D>,
-    /// A point for which a coefficient was enlarged by as much as for any other, if one was enlarged.
-    pub(super) worst: Option<usize>,
+    /// For each coefficient that was enlarged a point for which it was enlarged by as much as for any other.
+    pub(super) enlarged_for: Vec<usize>,
 }
 
 /// A zonotope with a given centre that contains every point, from a guess of its coefficients in scaled units: they are
-/// enlarged where a point needs it.
+/// enlarged where a point needs it. What exact numbers take is taken off `exact_work`; with none left the guess is
+/// enlarged by what floating point leaves.
 ///
 /// # Errors
 /// When a coefficient exceeds the largest double.
@@ -63,6 +66,7 @@ pub(super) fn contain<const D: usize>(
     center: [f64; D],
     coefficients: &[f64],
     map: &mut FacetMap<D>,
+    exact_work: &Cell<u64>,
 ) -> Result<Container<D>, FixedDirectionsError> {
     let mut all = vec![0.0; problem.directions().len()];
     let units: Vec<i64> = scaled.directions.iter().map(|d| scaled.exponent - d.exponent).collect();
@@ -71,8 +75,9 @@ pub(super) fn contain<const D: usize>(
     if coefficients.iter().any(|c| !c.is_finite()) {
         return Err(FixedDirectionsError::OutOfRange);
     }
-    let body = Body::new(problem, scaled, center, without_negligible(scaled, coefficients));
-    let (enlargements, worst) = enlargements(&body, map);
+    let body = Body::new(problem, scaled, center, without_negligible(scaled, coefficients), exact_work);
+    let (enlargements, enlarged_for): (Vec<Rational>, Vec<Option<usize>>) =
+        enlargements(&body, map).into_iter().unzip();
     let mut coefficients = body.coefficients;
     for (&b, enlargement) in body.basis.iter().zip(enlargements) {
         if !enlargement.is_zero() {
@@ -89,7 +94,7 @@ pub(super) fn contain<const D: usize>(
     let value = value_above(problem.weights(), &all);
     let (multipliers, effort) = (Vec::new(), Effort::default());
     let zonotope = DirectedZonotope { center, coefficients: all, value, lower_bound: 0.0, multipliers, effort };
-    Ok(Container { zonotope, worst })
+    Ok(Container { zonotope, enlarged_for: enlarged_for.into_iter().flatten().collect() })
 }
 
 /// The coefficients, with 0 for generators that are negligible relative to the longest: they are rounding noise, which
@@ -106,12 +111,11 @@ fn without_negligible<const D: usize>(scaled: &Scaled<D>, coefficients: Vec<f64>
     lengths().zip(coefficients).map(kept).collect()
 }
 
-/// For each direction of the basis the enlargement of its coefficient with which every point is inside, and the last
-/// point for which one of them grew.
-fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (Vec<Rational>, Option<usize>) {
+/// For each direction of the basis the enlargement of its coefficient with which every point is inside, and the first
+/// point that needs all of it, if it is not zero.
+fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> Vec<(Rational, Option<usize>)> {
     let rank = body.scaled.rank;
-    let mut enlargements = vec![Rational::ZERO; rank];
-    let mut worst = None;
+    let mut enlargements = vec![(Rational::ZERO, None); rank];
     let basis = body.basis.iter().map(|&b| (b, body.scaled.directions[b].vector));
     let mut thickened = Thickened::new(rank, &body.generators, basis);
     let extents: [f64; D] = std::array::from_fn(|c| body.generators.iter().map(|g| g[c].abs()).sum());
@@ -130,13 +134,12 @@ fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (V
         }
         let missing = body.least_missing(point, &q, &mut thickened);
         for (more, need) in enlargements.iter_mut().zip(missing) {
-            if need > *more {
-                *more = need;
-                worst = Some(j);
+            if need > more.0 {
+                *more = (need, Some(j));
             }
         }
     }
-    (enlargements, worst)
+    enlargements
 }
 
 /// The value Σ w_i c_i, rounded up; infinite above the largest double.

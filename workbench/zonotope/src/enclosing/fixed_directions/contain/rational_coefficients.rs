@@ -33,9 +33,9 @@ impl<const D: usize> Body<'_, D> {
         let cost = self.basis.iter().zip(whole).fold(Rational::ONE, |sum, (&b, x)| sum + weight(b) * x);
         add(count, &|a| rational(self.center[a]) - rational(point[a]), &cost);
         let bounds = vec![Rational::ONE; count + 1];
-        let mut work = self.rational_work.get();
+        let mut work = self.exact_work.get();
         let optimum = maximize(&columns, &bounds, coordinates.len(), &mut work);
-        self.rational_work.set(work);
+        self.exact_work.set(work);
         let Ok(optimum) = optimum else { return vec![0.0; count] };
         let pairs = optimum.solution.chunks_exact(2).take(count);
         pairs.map(|pair| (&pair[0] - &pair[1]).to_f64_fast().clamp(-1.0, 1.0)).collect()

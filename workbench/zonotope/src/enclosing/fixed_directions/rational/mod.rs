@@ -45,7 +45,7 @@ use super::answer::ExactOptimum;
 use super::problem::FixedDirections;
 use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::Rational;
-use crate::numeric::exact_linear::simplex::{ANY_WORK, Column, NoOptimum, maximize};
+use crate::numeric::exact_linear::simplex::{ANY_WORK, Column, NoOptimum, WORK_PER_CHANGE, maximize};
 use crate::numeric::exact_linear::{Span, hyperplane_normal, rational, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
 
@@ -86,6 +86,9 @@ pub(super) fn optimum_within<const D: usize>(
             }
         })
         .collect();
+    let vectors = points.len() as u64 + directions.len() as u64;
+    let products = both.len() as u64 * vectors * span.rank() as u64;
+    *work = work.saturating_sub(WORK_PER_CHANGE * products);
     let optimum = match maximize(&columns, &weights, span.rank(), work) {
         Ok(optimum) => optimum,
         Err(NoOptimum::TooMuchWork) => return None,

@@ -1,8 +1,10 @@
 //! The fallback of the methods in floating point: small problems whose bounds do not meet are solved in rationals.
 //!
 //! The program is solved for an active set of points. Its optimum proves a lower bound; rounded, and enlarged until it
-//! contains all points, it is a candidate for the answer. A point for which the candidate was enlarged joins the active
-//! set, and the program is solved again.
+//! contains all points, it is a candidate for the answer. The points for which the candidate was enlarged join the
+//! active set, and the program is solved again.
+
+use std::cell::Cell;
 
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
 use crate::enclosing::fixed_directions::contain::contain;
@@ -21,13 +23,8 @@ const RATIONAL_NORMAL_LIMIT: usize = 130;
 /// The rational program is solved for at most this many points.
 const RATIONAL_POINT_LIMIT: usize = 80;
 
-/// The pivots of all rational programs of a problem may take this much work together, in products of words. It is
-/// more than programs of a hundred normals take in numbers of like sizes; those of numbers of all sizes would take far
-/// more.
-const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
-
-/// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
-/// least one point.
+/// Improves an answer until its bounds are tight, the problem is too large, or no work is left for exact numbers. The
+/// active set begins with `active`, at least one point.
 ///
 /// # Errors
 /// When a coefficient exceeds the largest double.
@@ -35,6 +32,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
     setting: Setting<'_, D>,
     mut active: Vec<usize>,
     map: &mut FacetMap<D>,
+    exact_work: &Cell<u64>,
     answer: &mut DirectedZonotope<D>,
 ) -> Result<(), FixedDirectionsError> {
     let Setting { problem, scaled, .. } = setting;
@@ -44,7 +42,6 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
     }
     let directions: Vec<[f64; D]> = kept.iter().map(|d| problem.directions()[d.index]).collect();
     let weights: Vec<f64> = kept.iter().map(|d| problem.weights()[d.index]).collect();
-    let mut work = RATIONAL_WORK_LIMIT;
     loop {
         active.sort_unstable();
         active.dedup();
@@ -53,7 +50,10 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
         }
         let points: Vec<[f64; D]> = active.iter().map(|&j| problem.points()[j]).collect();
         let part = FixedDirections::new(&points, &directions, &weights)?;
-        let Some(optimum) = optimum_within(&part, &mut work) else { return Ok(()) };
+        let mut work = exact_work.get();
+        let optimum = optimum_within(&part, &mut work);
+        exact_work.set(work);
+        let Some(optimum) = optimum else { return Ok(()) };
         let lower_bound = fraction_at_most(&optimum.value);
         let (centers, coefficients) = candidates(setting, &optimum);
         answer.effort.exact = true;
@@ -63,10 +63,10 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
             answer.multipliers =
                 multipliers.map(|(point, vector)| Multiplier { point: active[point], vector }).collect();
         }
-        let mut missed = None;
+        let known = active.len();
         for center in centers {
-            let Ok(candidate) = contain(problem, scaled, center, &coefficients, map) else { continue };
-            let (zonotope, worst) = (candidate.zonotope, candidate.worst);
+            let Ok(candidate) = contain(problem, scaled, center, &coefficients, map, exact_work) else { continue };
+            let zonotope = candidate.zonotope;
             let is_tight = zonotope.value - lower_bound <= TIGHT_RELATIVE_GAP * lower_bound;
             if zonotope.value < answer.value {
                 (answer.center, answer.coefficients, answer.value) =
@@ -75,11 +75,11 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
             if is_tight {
                 return Ok(());
             }
-            missed = worst.filter(|point| !active.contains(point)).or(missed);
+            let missed = candidate.enlarged_for.into_iter().filter(|point| !active[..known].contains(point));
+            active.extend(missed.collect::<Vec<usize>>());
         }
-        match missed {
-            Some(point) => active.push(point),
-            None => return Ok(()),
+        if active.len() == known || exact_work.get() == 0 {
+            return Ok(());
         }
     }
 }

@@ -9,6 +9,7 @@
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::answer::{MinLengthError, MinLengthZonotope};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
+use crate::enclosing::min_total_length::by_vertex_sets::limit_around;
 use crate::enclosing::min_total_length::conclude::{around_equal_points, conclude};
 use crate::enclosing::min_total_length::direction_net::Net;
 use crate::enclosing::min_total_length::frame::Frame;
@@ -31,9 +32,9 @@ const DIRECTIONS_PER_POINT_LIMIT: usize = 25;
 /// number.
 const LARGEST_WHOLE_NET: usize = 600;
 
-/// Limit of the entries and products of points of the programs, which take about a second; then the answer is the best
-/// of the zonotopes of the parts so far.
-const WORK_LIMIT: u64 = 1 << 31;
+/// Limit of the entries and products of points of the programs, around up to a thousand points; then the answer is the
+/// best of the zonotopes of the parts so far. Around more points the limit is greater.
+const WORK_LIMIT: u64 = 1 << 29;
 
 /// The limits of the programs along a net.
 #[derive(Debug, Clone, Copy)]
@@ -45,11 +46,12 @@ struct Limits {
 }
 
 impl Limits {
-    /// The limits for a net. The paper's net has none, so that its cost is the one that the paper states.
-    fn of(net: Net) -> Self {
+    /// The limits for a net around so many points. The paper's net has none, so that its cost is the one that the paper
+    /// states.
+    fn of(net: Net, points: usize) -> Self {
         match net {
             Net::Paper => Self { largest_whole_net: usize::MAX, work: u64::MAX },
-            Net::Cells => Self { largest_whole_net: LARGEST_WHOLE_NET, work: WORK_LIMIT },
+            Net::Cells => Self { largest_whole_net: LARGEST_WHOLE_NET, work: limit_around(points, WORK_LIMIT) },
         }
     }
 }
@@ -69,7 +71,7 @@ pub(super) fn min_length_along_net<const D: usize>(
     if rank == 0 {
         return around_equal_points(points);
     }
-    let limits = Limits::of(net);
+    let limits = Limits::of(net, points.len());
     let net: Vec<[f64; D]> = net.directions(rank, epsilon);
     let mut is_chosen = vec![false; net.len()];
     let largest_whole = WHOLE_NET_LIMIT.max(limits.largest_whole_net.min(DIRECTIONS_PER_POINT_LIMIT * points.len()));
@@ -87,7 +89,7 @@ pub(super) fn min_length_along_net<const D: usize>(
         if stride == 1 {
             generation.set_precision(precision);
         }
-        generation.set_work_limit(limits.work - work);
+        generation.set_work_limit(limits.work.saturating_sub(work));
         // A generation that gets stuck leaves a zonotope and multipliers that are proven like any others; the ratio
         // says how good they are. The next round takes the whole net.
         let is_stuck = generation.run(tally).is_err();

@@ -9,6 +9,7 @@
 
 use std::collections::BTreeMap;
 
+use super::work::Work;
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::direction_net::cell_corners;
@@ -23,9 +24,6 @@ const CELLS: [usize; 3] = [8, 10, 12];
 /// The relative precision to which the programs are solved.
 const PRECISION: f64 = 1e-6;
 
-/// Limit of the entries and products of points that the programs of the nets read together, which take some seconds.
-const WORK_LIMIT: u64 = 1 << 33;
-
 /// Multipliers with the places of their points.
 pub(super) type PlacedMultipliers<const D: usize> = Vec<(usize, [f64; D])>;
 
@@ -37,11 +35,11 @@ pub(super) fn along_finer_nets<const D: usize>(
     epsilon: f64,
     best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) {
-    let mut work = 0;
     for cells in CELLS {
-        if inner.upper <= (1.0 + epsilon) * best.lower || work >= WORK_LIMIT {
+        if inner.upper <= (1.0 + epsilon) * best.lower || work.left_for_nets() == 0 {
             break;
         }
         let corners = cell_corners::<3>(cells);
@@ -50,9 +48,9 @@ pub(super) fn along_finer_nets<const D: usize>(
         let weights = vec![1.0; net.len()];
         let mut generation = Generation::new(frame.rank(), &frame.points, net, weights, tally);
         generation.set_precision(PRECISION);
-        generation.set_work_limit(WORK_LIMIT - work);
+        generation.set_work_limit(work.left_for_nets());
         let is_solved = generation.run(tally).is_ok();
-        work += generation.work();
+        work.add_on_nets(generation.work());
         let before = best.multipliers().to_vec();
         let multipliers = multipliers_of(&generation);
         let between = mean(&before, &multipliers);

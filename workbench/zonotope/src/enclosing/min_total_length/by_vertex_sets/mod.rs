@@ -6,8 +6,10 @@
 //! every point exactly, its total length (the sum of the half-lengths of its generators), and a lower bound of the
 //! total lengths of all zonotopes around the points. The ratio of the two is always proven. It is at most 1 + ε unless
 //! the search ends before, and [`Outcome`] says whether it is. The search ends before in these cases:
-//! - it has taken some seconds of work. In space this happens to precisions below about 0.005 around more than some
-//!   300 points on the zonotope's boundary; the ratio is that of a net of directions then, below 1.01 mostly;
+//! - it has taken its work, which is about half a second around up to a thousand points, and four times as much around
+//!   two thousand and more. In space this happens to precisions below about 0.005 around more than some 150 points on
+//!   the zonotope's boundary, in four dimensions to precisions below about 0.05 around as many; the ratio is that of a
+//!   net of directions then in space, and in four dimensions that of the last step;
 //! - the points are so far from the origin that rounding the centre to doubles costs more than ε;
 //! - ε is below 1e-9, where rounding decides. At ε = 1e-9 this happens to some inputs with points nearer to each other
 //!   than 1e-6 of the body.
@@ -49,9 +51,9 @@
 //! n points, m of them with a multiplier, K sets (at most 4 d m, or 1000 if that is more). A step costs O((d m)³ + d² m
 //! (K + Δ)), where Δ counts the points by which neighbouring sets differ, some ten for each set. The vertices cost
 //! O(m^{d−1} log m), and each look at the points takes a search for a facet for each of them, O(K) and a few steps from
-//! where the search before ended. There are some ten to hundred steps, at most 400, and they end with the work:
-//! 1.5 · 10^10 operations, those of the looks included. The programs along finer nets end after 2^33 entries and
-//! products of points. In a plane the method takes O(n log n) for each of some
+//! where the search before ended. There are some ten to hundred steps, at most 400. Steps, vertices, looks and the
+//! programs along nets together end with the work: 3 · 10^9 entries and products of points around up to a thousand
+//! points, and up to four times as many around more (`work`). In a plane the method takes O(n log n) for each of some
 //! fifty centres. Leaving out points takes some passes over at most 500 points for each point. A step with pairs of
 //! doubles costs a constant factor more.
 //!
@@ -92,6 +94,7 @@ mod scalar;
 mod set_generation;
 mod start;
 mod vertex_sets;
+mod work;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::conclude::{around_equal_points, conclude, proven, validate};
@@ -104,7 +107,9 @@ use crate::numeric::linear::dot;
 use crate::tally::Tally;
 pub(super) use outer_points::outer_points;
 use scalar::Scalar;
-use set_generation::{WORK_LIMIT, min_length_by_set_generation};
+use set_generation::min_length_by_set_generation;
+use work::Work;
+pub(super) use work::limit_around;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points
 /// read and rounds.
@@ -146,12 +151,13 @@ fn around_outer<const D: usize>(
             conclude(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
-            let mut work = 0.0;
+            let mut work = Work::none();
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             // Pairs of doubles help where rounding ended the search, not where its work was used up.
-            if answer.proof.outcome == Outcome::WithinEpsilon || work > WORK_LIMIT {
+            if answer.proof.outcome == Outcome::WithinEpsilon || work.is_used_up(frame.rank()) {
                 return Ok(answer);
             }
+            work.renew();
             let other =
                 around_by_set_generation::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             let directions = answer.effort.rows + other.effort.rows;
@@ -179,7 +185,7 @@ fn around_by_set_generation<R: Scalar, const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
     best: &mut BestBound<D>,
-    work: &mut f64,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let found = min_length_by_set_generation::<R, D>(frame, epsilon, best, work, tally);

@@ -26,8 +26,13 @@ impl PointSet {
         self.0[point / 64] >> (point % 64) & 1 == 1
     }
 
+    /// The number of points in the set.
+    pub(super) fn count(&self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
     pub(super) fn is_single(&self) -> bool {
-        self.0.iter().map(|word| word.count_ones()).sum::<u32>() == 1
+        self.count() == 1
     }
 
     /// The points of the set in increasing order.

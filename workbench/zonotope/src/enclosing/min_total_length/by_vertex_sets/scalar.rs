@@ -26,6 +26,8 @@ pub(super) trait Scalar:
 
     /// The cost of a multiplication and an addition, relative to that for doubles.
     const RELATIVE_COST: f64;
+    /// The same of loops that gather their terms.
+    const RELATIVE_COST_OF_SUMS: f64;
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -47,6 +49,7 @@ pub(super) trait Scalar:
 impl Scalar for DoubleDouble {
     const PIVOT_TOLERANCE: f64 = 1e-30;
     const RELATIVE_COST: f64 = 50.0;
+    const RELATIVE_COST_OF_SUMS: f64 = 25.0;
 
     fn sqrt(self) -> Self {
         self.sqrt()
@@ -60,6 +63,7 @@ impl Scalar for DoubleDouble {
 impl Scalar for f64 {
     const PIVOT_TOLERANCE: f64 = 1e-15;
     const RELATIVE_COST: f64 = 1.0;
+    const RELATIVE_COST_OF_SUMS: f64 = 1.0;
 
     fn sqrt(self) -> Self {
         self.sqrt()

@@ -8,6 +8,7 @@
 use super::finer_nets::along_finer_nets;
 use super::scalar::Scalar;
 use super::start::{Start, start};
+use super::work::Work;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
@@ -36,9 +37,6 @@ const RECENTRING_FACTOR: f64 = 100.0;
 
 /// Set generation ends when rounding has taken more steps than this out of the cone.
 const RECENTRING_LIMIT: usize = 4;
-
-/// Set generation ends after this many multiplications and additions, which take some seconds.
-pub(super) const WORK_LIMIT: f64 = 1.5e10;
 
 /// All points are looked at where the zonotope would close this share of the gap between the bounds.
 const SHARE_WORTH_A_LOOK: f64 = 0.1;
@@ -72,21 +70,21 @@ const LEAST_GAIN: f64 = 1e-3;
 const LEAST_ERROR_REDUCTION: f64 = 0.98;
 
 /// The shortest zonotope around the points of a frame that set generation finds, for any rank from 1; `best` keeps the
-/// best lower bound. `work` counts multiplications and additions and goes on from its value at the call.
+/// best lower bound. The work goes on from its value at the call.
 pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
     best: &mut BestBound<D>,
-    work: &mut f64,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) -> Found<D> {
     let coordinates = BoxCoordinates::of(frame);
     let mut inner = coordinates.boxed();
-    let mut members = match start::<R, D>(frame, &coordinates, epsilon, best, &mut inner, tally) {
+    let mut members = match start::<R, D>(frame, &coordinates, epsilon, best, &mut inner, work, tally) {
         Start::Members(members) => *members,
         Start::Within => return Found { progress: vec![[inner.upper, best.lower]], inner, sets: 0 },
     };
-    members.sets.work = *work;
+    members.sets.work += work.on_sets;
     let (mut progress, mut tried, mut idle, mut recentrings) = (Vec::new(), 0, 0, 0);
     let (mut excess, mut least_error) = (0.0, f64::INFINITY);
     for _ in 0..ROUND_LIMIT {
@@ -136,7 +134,8 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
         let is_progress = gain > LEAST_GAIN * (inner.upper - best.lower) || error < LEAST_ERROR_REDUCTION * least_error;
         idle = if is_progress { 0 } else { idle + 1 };
         least_error = error.min(least_error);
-        if idle > IDLE_ROUND_LIMIT || members.sets.work > WORK_LIMIT {
+        work.on_sets = members.sets.work;
+        if idle > IDLE_ROUND_LIMIT || work.is_used_up(frame.rank()) {
             break;
         }
         let mut others = far.on_circles;
@@ -155,10 +154,10 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
             (idle, least_error) = (0, f64::INFINITY);
         }
     }
-    *work = members.sets.work;
+    work.on_sets = members.sets.work;
     // Nets take their time whatever the number of points, and prove some ratio in any case.
-    if *work > WORK_LIMIT && frame.rank() == 3 {
-        along_finer_nets(frame, &coordinates, epsilon, best, &mut inner, tally);
+    if frame.rank() == 3 && work.is_used_up(3) {
+        along_finer_nets(frame, &coordinates, epsilon, best, &mut inner, work, tally);
         progress.push([inner.upper, best.lower]);
     }
     Found { inner, progress, sets: tried }

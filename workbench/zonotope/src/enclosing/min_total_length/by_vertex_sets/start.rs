@@ -4,6 +4,7 @@ use super::finer_nets::{along_finer_nets, keep_shorter, multipliers_of};
 use super::members::Members;
 use super::scalar::Scalar;
 use super::vertex_sets::VertexSets;
+use super::work::Work;
 use crate::enclosing::fixed_directions::Generation;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::direction_net::{Net, cell_corners};
@@ -50,11 +51,12 @@ pub(super) fn start<'a, R: Scalar, const D: usize>(
     epsilon: f64,
     best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) -> Start<'a, R, D> {
     let rank = frame.rank();
     if rank == 3
-        && let Some(start) = from_net(frame, coordinates, epsilon, best, inner, tally)
+        && let Some(start) = from_net(frame, coordinates, epsilon, best, inner, work, tally)
     {
         return start;
     }
@@ -77,6 +79,7 @@ fn from_net<'a, R: Scalar, const D: usize>(
     epsilon: f64,
     best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
+    work: &mut Work,
     tally: &mut dyn Tally,
 ) -> Option<Start<'a, R, D>> {
     let rank = frame.rank();
@@ -84,7 +87,10 @@ fn from_net<'a, R: Scalar, const D: usize>(
     let weights = vec![1.0; net.len()];
     let mut generation = Generation::new(rank, &frame.points, net, weights, &mut ());
     generation.set_precision(COARSE_NET_PRECISION);
-    generation.run(&mut ()).ok()?;
+    generation.set_work_limit(work.left_for_nets());
+    let ended = generation.run(&mut ());
+    work.add_on_nets(generation.work());
+    ended.ok()?;
     let multipliers = multipliers_of(&generation);
     if multipliers.len() < 2 {
         return None;
@@ -94,7 +100,7 @@ fn from_net<'a, R: Scalar, const D: usize>(
     let is_within = |inner: &FrameZonotope<D>, best: &BestBound<D>, ratio| inner.upper <= (1.0 + ratio) * best.lower;
     let are_many = frame.points.len() >= LEAST_POINT_COUNT && multipliers.len() >= LEAST_MULTIPLIER_COUNT;
     if are_many && is_within(inner, best, epsilon / LEAST_SHARE_OF_GAP) {
-        along_finer_nets(frame, coordinates, SHARE_OF_EPSILON * epsilon, best, inner, tally);
+        along_finer_nets(frame, coordinates, SHARE_OF_EPSILON * epsilon, best, inner, work, tally);
         if is_within(inner, best, SHARE_OF_EPSILON * epsilon) {
             return Some(Start::Within);
         }

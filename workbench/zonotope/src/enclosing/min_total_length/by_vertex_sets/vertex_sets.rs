@@ -46,7 +46,7 @@ pub(super) struct VertexSets<'a, R, const D: usize> {
     pub(super) mu: f64,
     /// Roughly the least total length of a zonotope around the points.
     pub(super) length: f64,
-    /// About how many multiplications and additions the steps have taken so far.
+    /// The work of set generation so far.
     pub(super) work: f64,
 }
 
@@ -185,8 +185,8 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         } else {
             self.length / self.rank as f64
         };
-        let expected_length =
-            along * self.separation(&points).min(1.0 / self.points.len() as f64) / FIRST_LENGTH_DIVISOR;
+        let separation = self.separation(&points);
+        let expected_length = along * separation.min(1.0 / self.points.len() as f64) / FIRST_LENGTH_DIVISOR;
         let square = square + R::from(self.mu / expected_length);
         let head = if square.value() < 1.0 { R::from(1.0) } else { square.sqrt() };
         let slack = ConeVector { head, rest: w };
@@ -194,9 +194,21 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         true
     }
 
+    /// The number of points in all sets together.
+    pub(super) fn memberships(&self) -> usize {
+        self.sets.iter().map(|set| set.points.count()).sum()
+    }
+
+    /// The number of points by which neighbouring sets differ, all neighbours together.
+    pub(super) fn changes(&self) -> usize {
+        self.sets.windows(2).map(|pair| pair[1].points.changes_since(&pair[0].points).count()).sum()
+    }
+
     /// The least distance in box coordinates of a point of a set from a point that is not in it.
-    fn separation(&self, set: &PointSet) -> f64 {
+    fn separation(&mut self, set: &PointSet) -> f64 {
         let mut least = f64::INFINITY;
+        let inside = set.count();
+        self.work += (2 * self.rank * inside * (self.points.len() - inside)) as f64;
         for j in set.members() {
             for (k, other) in self.box_points.iter().enumerate() {
                 if !set.contains(k) {

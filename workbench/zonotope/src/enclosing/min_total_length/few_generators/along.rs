@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use crate::enclosing::fixed_directions::Generation;
 use crate::enclosing::min_total_length::box_coordinates::spanning_directions;
+use crate::enclosing::min_total_length::by_vertex_sets::limit_around;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::linear::dot;
 
@@ -16,14 +17,11 @@ const LEAST_RELATIVE_COST: f64 = 1e-6;
 /// A direction at less than this angle to the span of others counts as one of the span.
 const LEAST_ANGLE_OFF_SPAN: f64 = 1e-3;
 
-/// The search ends after its programs have read so many entries and products of points, which takes a second or two.
-const WORK_LIMIT: u64 = 1 << 32;
-
 /// The linear programs of a search: those of the points of a frame, to one precision.
 pub(super) struct Programs<'a, const D: usize> {
     pub(super) frame: &'a Frame<D>,
     precision: f64,
-    /// The entries and products of points that the programs have read so far.
+    /// The entries and products of points that the programs may still read.
     work: Cell<u64>,
 }
 
@@ -42,9 +40,10 @@ pub(super) struct Along<const D: usize> {
 }
 
 impl<'a, const D: usize> Programs<'a, D> {
-    /// Programs that are solved to a relative precision.
-    pub(super) fn new(frame: &'a Frame<D>, precision: f64) -> Self {
-        Self { frame, precision, work: Cell::new(0) }
+    /// Programs that are solved to a relative precision and read no more entries and products of points than a limit,
+    /// all together, around up to a thousand points; the limit around more is greater.
+    pub(super) fn new(frame: &'a Frame<D>, precision: f64, limit: u64) -> Self {
+        Self { frame, precision, work: Cell::new(limit_around(frame.points.len(), limit)) }
     }
 
     /// The shortest zonotope around the points along the lines of some vectors, of any length. `None` if the vectors do
@@ -58,7 +57,7 @@ impl<'a, const D: usize> Programs<'a, D> {
     pub(super) fn along_weighted(&self, vectors: &[[f64; D]], cost: impl Fn(&[f64; D]) -> f64) -> Option<Along<D>> {
         let rank = self.frame.rank();
         let directions: Vec<[f64; D]> = vectors.iter().filter_map(unit).collect();
-        if self.work.get() > WORK_LIMIT || spanning_directions(&directions).len() < rank {
+        if self.work.get() == 0 || spanning_directions(&directions).len() < rank {
             return None;
         }
         let costs: Vec<f64> = directions.iter().map(cost).collect();
@@ -69,9 +68,9 @@ impl<'a, const D: usize> Programs<'a, D> {
         let weights = costs.iter().map(|cost| (cost / greatest).max(LEAST_RELATIVE_COST)).collect();
         let mut generation = Generation::new(rank, &self.frame.points, directions.clone(), weights, &mut ());
         generation.set_precision(self.precision);
-        generation.set_work_limit(WORK_LIMIT - self.work.get());
+        generation.set_work_limit(self.work.get());
         let ended = generation.run(&mut ());
-        self.work.set(self.work.get() + generation.work());
+        self.work.set(self.work.get().saturating_sub(generation.work()));
         ended.ok()?;
         let coefficients: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
         let length = coefficients.iter().sum::<f64>();

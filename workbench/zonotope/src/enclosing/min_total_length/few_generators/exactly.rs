@@ -79,7 +79,7 @@ mod tests {
     fn a_square_in_a_plane_of_space_has_two_generators_without_rounding() {
         let points = [[0.0, 0.0, 0.1], [1.0, 0.0, 0.1], [0.0, 1.0, 0.1], [1.0, 1.0, 0.1]];
         let frame = Frame::new(&points);
-        let along = Programs::new(&frame, 1e-14).along(&frame.long).expect("they span");
+        let along = Programs::new(&frame, 1e-14, u64::MAX).along(&frame.long).expect("they span");
         let (body, length) = exactly_around(&points, &frame, &along).expect("a square");
         assert_eq!(axes_off(&frame), [[0.0, 0.0, 1.0]]);
         assert_eq!(body.generators().len(), 2);

@@ -8,7 +8,7 @@
 //! a small ratio, and merges nearby ones where that costs a tenth of ε at most; [`of_less_volume`] keeps neither and
 //! looks for a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is
 //! proven as before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many,
-//! is not proven: it is the best that a local search within some seconds found. What cannot be made sparser is returned
+//! is not proven: it is the best that a local search found with its work. What cannot be made sparser is returned
 //! as it was: one point, needles a hundred million times as long as wide, numbers near the ends of the range of
 //! doubles.
 //!
@@ -91,6 +91,12 @@ const LAST_PRECISION: f64 = 1e-14;
 /// The relative precision of the linear programs of the search for a small volume.
 const VOLUME_PRECISION: f64 = 1e-9;
 
+/// Limit of the entries and products of points that the last linear program reads.
+const LAST_WORK_LIMIT: u64 = 1 << 29;
+
+/// Limit of the entries and products of points that the linear programs of the search for a small volume read.
+const VOLUME_WORK_LIMIT: u64 = 1 << 30;
+
 /// The descent does not begin at a zonotope of more generators: a step takes time as the cube of their number.
 const VOLUME_GENERATORS: usize = 60;
 
@@ -114,7 +120,7 @@ impl<const D: usize> Search<D> {
 
     /// The answer with the zonotope along the directions that were found, solved more precisely and made exact.
     fn concluded(&self, found: Along<D>, answer: &MinLengthZonotope<D>) -> Option<MinLengthZonotope<D>> {
-        let programs = Programs::new(&self.frame, LAST_PRECISION);
+        let programs = Programs::new(&self.frame, LAST_PRECISION, LAST_WORK_LIMIT);
         let used = found.used().0;
         // Along a thin side of the points the search may have left out all generators.
         let completed = || programs.along(&found.completed(&self.frame.long));
@@ -214,10 +220,8 @@ pub fn of_less_volume(points: &[[f64; 3]], answer: MinLengthZonotope<3>, epsilon
     }
     let own = Some(search.dense.clone()).filter(|dense| dense.len() <= VOLUME_GENERATORS);
     let starts = own.into_iter().chain(search.boxes.iter().cloned());
-    let found = starts.filter_map(|start| {
-        let programs = Programs::new(&search.frame, VOLUME_PRECISION);
-        programs.along(&start).map(|start| volume::of_less_volume(&programs, start))
-    });
+    let programs = Programs::new(&search.frame, VOLUME_PRECISION, VOLUME_WORK_LIMIT);
+    let found = starts.filter_map(|start| programs.along(&start).map(|start| volume::of_less_volume(&programs, start)));
     let found = found.min_by(|a, b| volume::of(a).total_cmp(&volume::of(b)));
     let around = found.and_then(|found| exactly_around(&search.kept, &search.frame, &found));
     match around {

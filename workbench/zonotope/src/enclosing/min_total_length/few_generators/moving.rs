@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn two_directions_turn_to_the_sides_of_a_square() {
         let frame = Frame::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
-        let programs = Programs::new(&frame, 1e-9);
+        let programs = Programs::new(&frame, 1e-9, u64::MAX);
         let start = programs.along(&[[1.0, 0.2], [-0.2, 1.0]]).expect("they span");
         let least = programs.along(&[[1.0, 0.0], [0.0, 1.0]]).expect("they span").length;
         let end = moved(&programs, start.clone(), Aim { length: 0.0, steps: 40 });

@@ -42,6 +42,9 @@ const PRECISION_SHARE_OF_EPSILON: f64 = 1e-3;
 /// The relative precision of a linear program where the number of generators is given.
 const PRECISION: f64 = 1e-7;
 
+/// Limit of the entries and products of points that the programs of a search read.
+const WORK_LIMIT: u64 = 1 << 30;
+
 /// The directions move by so many steps after each merger.
 const QUICK_STEPS: usize = 4;
 
@@ -53,7 +56,7 @@ impl<const D: usize> Search<D> {
     pub(super) fn fewest(&self, length: f64, epsilon: f64) -> Option<Along<D>> {
         let frame = &self.frame;
         let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
-        let programs = Programs::new(frame, precision);
+        let programs = Programs::new(frame, precision, WORK_LIMIT);
         let along = |vectors: &[[f64; D]]| programs.along(vectors).filter(|found| found.length <= length);
         let merged = fewest_merged(&Merging::new(self.dense.clone()), frame.rank(), along);
         let best = merged.into_iter().chain(self.starts().find_map(|vectors| along(&vectors)));
@@ -82,7 +85,7 @@ impl<const D: usize> Search<D> {
         if count < frame.rank() {
             return None;
         }
-        let programs = Programs::new(frame, PRECISION);
+        let programs = Programs::new(frame, PRECISION, WORK_LIMIT);
         let along = |vectors: &[[f64; D]]| programs.along(vectors);
         let starts = self.starts().take_while(|vectors| vectors.len() <= NET_SIZE_FACTOR * count);
         let given = starts.chain(differences(frame)).filter_map(|vectors| along(&vectors));

@@ -4,13 +4,10 @@
 //! |---|---|
 //! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few hundred lines |
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
-//! | [`likely_vertex`] | a few hundred generators: the pair or the end of the descent, for proofs without a certificate
-//! |
+//! | [`likely_vertex`] | a few hundred generators: the vertex of a proof that needs no certificate |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
-//! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over
-//! all |
-//! | [`cutting_planes`] | where these leave a doubt: three pieces of the objective close in on the optimum between them
-//! |
+//! | [`corrected_sample`] | lines that nearly meet, uneven lengths: passes over all correct the gradient of a sample |
+//! | [`cutting_planes`] | where these leave a doubt: three pieces of the objective close in on the optimum |
 //! | [`certified_descent`] | the end of most: descent from vertex to vertex until one is certified |
 
 pub(crate) mod best_pair;

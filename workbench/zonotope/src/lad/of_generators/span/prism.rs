@@ -11,7 +11,7 @@ use std::ops::Range;
 use crate::numeric::lanes::Extents;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::SQUARABLE_SIZES;
-use crate::zonotope::location::{Location, Separation, Witness};
+use crate::zonotope::location::{Gauge, Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// The points and generators of a prism.
@@ -84,6 +84,12 @@ pub(crate) fn lowered<const E: usize, const D: usize>(location: Location<E>, own
             Location::Outside(Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))))
         }
     }
+}
+
+/// The gauge for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
+pub(crate) fn lowered_gauge<const E: usize, const D: usize>(gauge: Gauge<E>, own: usize) -> Gauge<D> {
+    let Gauge { value, error, location } = gauge;
+    Gauge { value, error, location: lowered(location, own) }
 }
 
 fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize) -> Witness {

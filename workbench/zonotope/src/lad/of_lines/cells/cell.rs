@@ -28,6 +28,14 @@ impl Cell {
         x.abs() + ex < self.radius && y.abs() + ey < self.radius
     }
 
+    /// The corners, counter-clockwise, rounded.
+    pub(crate) fn corners(&self) -> [[f64; 2]; 4] {
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|corner: [f64; 2]| {
+            let [x, y] = corner.map(|c| c * self.radius);
+            [self.center[0] + self.frame.xx * x, self.center[1] + self.frame.yx * x + self.frame.yy * y]
+        })
+    }
+
     fn coordinates(&self, point: [f64; 2]) -> [f64; 2] {
         let x = (point[0] - self.center[0]) / self.frame.xx;
         [x, (point[1] - self.center[1] - self.frame.yx * x) / self.frame.yy]

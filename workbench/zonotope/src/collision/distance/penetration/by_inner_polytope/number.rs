@@ -1,24 +1,31 @@
 //! Numbers that a growing polytope is made of: doubles and pairs of doubles with bounds on their errors, and exact
 //! ones.
 
+use std::cmp::Ordering;
+
 use crate::collision::distance::answer::rounded_length;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::double_double::Precision;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::rounded_direction;
-use crate::numeric::linear::{Ring, dot, euclidean_norm};
+use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::tolerance::{SHORTEST_LENGTH, THIRTY_ROUNDINGS};
 
 /// A number whose sign and whose quotient by a length are told within bounds.
-pub(super) trait Number: Ring {
-    /// Whether the exact value is greater than 0 beyond doubt.
-    fn is_certainly_positive(&self) -> bool;
-
+pub(super) trait Number: Precision {
     /// The magnitude, or more where the sign is in doubt.
     fn magnitude(&self) -> Self;
 
+    /// Whether the exact value is greater than 0 beyond doubt.
+    fn is_certainly_positive(&self) -> bool {
+        self.certain_sign().is_some_and(Ordering::is_gt)
+    }
+
     /// Whether the exact value is less than 0 beyond doubt.
-    fn is_certainly_negative(&self) -> bool;
+    fn is_certainly_negative(&self) -> bool {
+        self.certain_sign().is_some_and(Ordering::is_lt)
+    }
 
     /// Bounds of a value over the Euclidean length of a vector; infinite ones where nothing is known.
     fn over_length(value: &Self, vector: &[Self; 3]) -> [f64; 2];
@@ -31,14 +38,6 @@ pub(super) trait Number: Ring {
 }
 
 impl Number for Bounded {
-    fn is_certainly_positive(&self) -> bool {
-        self.sign() == Some(1)
-    }
-
-    fn is_certainly_negative(&self) -> bool {
-        self.sign() == Some(-1)
-    }
-
     fn magnitude(&self) -> Self {
         if self.value < 0.0 { self.negated() } else { *self }
     }
@@ -58,14 +57,6 @@ impl Number for Bounded {
 }
 
 impl Number for BoundedDoubleDouble {
-    fn is_certainly_positive(&self) -> bool {
-        self.sign() == Some(1)
-    }
-
-    fn is_certainly_negative(&self) -> bool {
-        self.sign() == Some(-1)
-    }
-
     fn magnitude(&self) -> Self {
         self.abs()
     }
@@ -85,14 +76,6 @@ impl Number for BoundedDoubleDouble {
 }
 
 impl Number for Dyadic {
-    fn is_certainly_positive(&self) -> bool {
-        self.sign().is_gt()
-    }
-
-    fn is_certainly_negative(&self) -> bool {
-        self.sign().is_lt()
-    }
-
     fn magnitude(&self) -> Self {
         self.clone().abs()
     }

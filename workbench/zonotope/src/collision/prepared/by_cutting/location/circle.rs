@@ -10,12 +10,7 @@
 use crate::collision::prepared::by_cutting::filtered::{Filtered, Vector, sign_of_determinant};
 use crate::collision::prepared::by_cutting::structure::boundary::Normal;
 use crate::collision::prepared::by_cutting::structure::tree::{Cut, Place, SUM_STEP, Tree};
-use crate::numeric::bounded::wide::BoundedWide;
-use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::ExactVector;
-use crate::numeric::linear::Ring;
+use crate::numeric::double_double::Precision;
 
 /// The directions along a cut.
 pub(crate) struct Circle<'t> {
@@ -61,12 +56,13 @@ impl<'t> Circle<'t> {
     }
 
     /// The gradient in a gap by numbers of a kind: the kept sum at or before it, and the generators from there on.
-    fn sum_of_gap<T: Ring>(&self, gap: usize, kept: impl Fn(usize) -> [T; 3], number: impl Fn(f64) -> T) -> [T; 3] {
+    fn sum_of_gap<N: Precision>(&self, gap: usize) -> [N; 3] {
+        let kept = |sum: usize| self.tree.sums.over::<N>(sum);
         let is_lower = gap > self.len();
         let upper = if is_lower { gap - self.len() } else { gap };
         let mut gradient = kept(self.cut.first_gradient + upper / SUM_STEP);
         for place in upper - upper % SUM_STEP..upper {
-            let v = self.turned(place).map(&number);
+            let v = self.turned(place).map(N::of_double);
             for (sum, c) in gradient.iter_mut().zip(&v) {
                 *sum = sum.plus(c).plus(c);
             }
@@ -96,23 +92,7 @@ pub(crate) struct Gradient<'c> {
 }
 
 impl Vector for Gradient<'_> {
-    fn rounded(&self) -> BoundedVector {
-        let sums = &self.circle.tree.sums;
-        self.circle.sum_of_gap(self.gap, |sum| sums.rounded(sum), Bounded::exact)
-    }
-
-    fn wide(&self) -> [BoundedWide; 3] {
-        let sums = &self.circle.tree.sums;
-        self.circle.sum_of_gap(self.gap, |sum| sums.wide(sum), BoundedWide::exact)
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        let sums = &self.circle.tree.sums;
-        self.circle.sum_of_gap(self.gap, |sum| sums.in_pairs(sum), BoundedDoubleDouble::exact)
-    }
-
-    fn exact(&self) -> ExactVector {
-        let sums = &self.circle.tree.sums;
-        self.circle.sum_of_gap(self.gap, |sum| sums.exact(sum), Dyadic::from_f64)
+    fn over<N: Precision>(&self) -> [N; 3] {
+        self.circle.sum_of_gap(self.gap)
     }
 }

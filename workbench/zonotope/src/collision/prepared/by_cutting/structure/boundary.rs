@@ -3,13 +3,13 @@
 //! A point (x, y) of the dual plane is the direction (x, y, 1), so a line of it is a plane through the origin of the
 //! space of directions. The directions beyond a boundary are those with u · n > 0, n its normal.
 
+use std::cmp::Ordering;
+
 use crate::arrangement::cutting::{self, Wall};
 use crate::collision::prepared::by_cutting::filtered::Vector;
-use crate::numeric::bounded::wide::BoundedWide;
-use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::double_double::Precision;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, exact};
+use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::cross;
 
 /// A plane of directions.
@@ -67,48 +67,26 @@ pub(crate) enum Normal {
 }
 
 impl Vector for Normal {
-    fn rounded(&self) -> BoundedVector {
+    fn over<N: Precision>(&self) -> [N; 3] {
         match self {
-            Self::Doubles(v) => v.rounded(),
+            Self::Doubles(v) => v.over(),
             Self::OfWall(pair) => {
-                let [x, _, z] = cross(&pair[0].rounded(), &pair[1].rounded());
-                match z.sign() {
-                    Some(sign) if sign < 0 => [z.negated(), Bounded::exact(0.0), x],
-                    Some(_) => [z, Bounded::exact(0.0), x.negated()],
-                    None => self.in_pairs().map(|c| c.rounded()),
+                let [x, _, z] = cross(&pair[0].over::<N>(), &pair[1].over());
+                match z.certain_sign() {
+                    Some(Ordering::Less) => [N::ZERO.minus(&z), N::ZERO, x],
+                    Some(_) => [z, N::ZERO, N::ZERO.minus(&x)],
+                    None => self.exact().over(),
                 }
             }
         }
     }
 
-    fn wide(&self) -> [BoundedWide; 3] {
-        match self {
-            Self::Doubles(v) => v.wide(),
-            Self::OfWall(pair) => {
-                let [x, _, z] = cross(&pair[0].wide(), &pair[1].wide());
-                match z.sign() {
-                    Some(sign) if sign < 0 => [z.negated(), BoundedWide::exact(0.0), x],
-                    Some(_) => [z, BoundedWide::exact(0.0), x.negated()],
-                    None => self.exact().wide(),
-                }
-            }
-        }
-    }
-
-    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
-        match self {
-            Self::Doubles(v) => v.in_pairs(),
-            Self::OfWall(_) => self.exact().in_pairs(),
-        }
-    }
-
+    /// Of a wall, scaled to about 1.
     fn exact(&self) -> ExactVector {
+        let normal: ExactVector = self.over();
         match self {
-            Self::Doubles(v) => exact(*v),
-            Self::OfWall(pair) => {
-                let [first, second] = pair.map(exact);
-                let [x, _, z] = cross(&first, &second);
-                let normal = if z.sign().is_lt() { [-z, Dyadic::zero(), x] } else { [z, Dyadic::zero(), -x] };
+            Self::Doubles(_) => normal,
+            Self::OfWall(_) => {
                 let exponent = normal.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
                 normal.map(|c| c.scaled(-exponent))
             }
@@ -119,7 +97,7 @@ impl Vector for Normal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::exact_linear::dot;
+    use crate::numeric::exact_linear::{dot, exact};
 
     /// The lines x = 2, y = x and y = 3 − 2 x, the latter two meeting over x = 1.
     #[test]

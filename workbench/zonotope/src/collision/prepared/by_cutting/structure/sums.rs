@@ -4,9 +4,7 @@
 //! two doubles hold them exactly. So the usual body takes 48 bytes a sum, and a sum that is equal to a coordinate of a
 //! query is known to be so.
 
-use crate::numeric::bounded::wide::BoundedWide;
-use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::double_double::Precision;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
 
@@ -57,36 +55,17 @@ impl Sums {
         }
     }
 
+    /// A vector in one precision.
+    pub(crate) fn over<N: Precision>(&self, index: usize) -> [N; 3] {
+        match self {
+            Self::Pairs(list) => list[index].map(N::of_sum),
+            Self::Long(list) => list[index].each_ref().map(N::of),
+        }
+    }
+
     /// A vector, exactly.
     pub(crate) fn exact(&self, index: usize) -> ExactVector {
-        match self {
-            Self::Pairs(list) => list[index].map(|[head, tail]| Dyadic::from_f64(head) + Dyadic::from_f64(tail)),
-            Self::Long(list) => list[index].clone(),
-        }
-    }
-
-    /// A vector in doubles with bounds.
-    pub(crate) fn rounded(&self, index: usize) -> BoundedVector {
-        match self {
-            Self::Pairs(list) => list[index].map(|[head, tail]| Bounded { value: head, error: tail.abs() }),
-            Self::Long(_) => self.in_pairs(index).map(|c| c.rounded()),
-        }
-    }
-
-    /// A vector in doubles with bounds and an exponent of their own.
-    pub(crate) fn wide(&self, index: usize) -> [BoundedWide; 3] {
-        match self {
-            Self::Pairs(list) => list[index].map(BoundedWide::of_sum),
-            Self::Long(list) => list[index].each_ref().map(BoundedWide::of),
-        }
-    }
-
-    /// A vector in pairs of doubles, with bounds of their errors.
-    pub(crate) fn in_pairs(&self, index: usize) -> [BoundedDoubleDouble; 3] {
-        match self {
-            Self::Pairs(list) => list[index].map(|[head, tail]| BoundedDoubleDouble::of_parts(head, tail, 0.0)),
-            Self::Long(list) => list[index].each_ref().map(BoundedDoubleDouble::of),
-        }
+        self.over(index)
     }
 
     /// How many bytes the vectors take.
@@ -113,6 +92,7 @@ fn pair(number: &Dyadic) -> Option<Pair> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::bounded::Bounded;
     use crate::numeric::exact_linear::exact;
 
     #[test]
@@ -129,7 +109,7 @@ mod tests {
         assert!(matches!(sums, Sums::Long(_)));
         assert_eq!((sums.len(), sums.exact(0)), (3, short));
         assert_eq!((&sums.exact(1)[0], &sums.exact(2)[1]), (&two, &long));
-        assert_eq!(sums.rounded(2)[1].value, 1.0);
+        assert_eq!(sums.over::<Bounded>(2)[1].value, 1.0);
         assert!(sums.bytes() > 3 * size_of::<ExactVector>() as u64);
     }
 }

@@ -37,7 +37,7 @@ pub(crate) fn turning_order(
 ) -> [Vec<Place>; 2] {
     let normal = boundary.normal(generators);
     let n = Filtered::new(normal.exact());
-    let rounded = normal.rounded();
+    let rounded: BoundedVector = normal.over();
     let reference = Filtered::new(boundary.reference());
     let (mut turning, mut along) = (Vec::with_capacity(crossing.len()), Vec::new());
     for &index in crossing {

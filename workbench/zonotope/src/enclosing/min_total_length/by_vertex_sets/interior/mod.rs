@@ -55,6 +55,7 @@ mod schur;
 use super::cone::{ConeVector, jordan};
 use super::scalar::{Scalar, values};
 use super::vertex_sets::{VertexSets, doubled_sum};
+use super::work;
 use newton::{Equations, Step};
 use scaling::Scaling;
 
@@ -66,9 +67,6 @@ const RESIDUAL_SHARE: f64 = 0.01;
 
 /// No step aims at a μ below this share of the present one.
 const GREATEST_REDUCTION: f64 = 1e-4;
-
-/// The work of enumerating the vertices of Σ [−1, 1] λ_j, in multiplications for each of about m^(rank − 1) vertices.
-const VERTEX_WORK: f64 = 30.0;
 
 /// The generators and the gap after a step; the multipliers are in the [`VertexSets`].
 pub(super) struct Stepped<const D: usize> {
@@ -88,9 +86,10 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
         let scalings: Vec<Scaling<R, D>> =
             self.sets.iter().map(|set| Scaling::new(&set.slack, &set.dual)).collect::<Option<_>>()?;
         let matrix = self.schur_complement(&scalings);
-        let size = self.rank * (self.points.len() - 1);
-        let vertices = VERTEX_WORK * self.points.len().saturating_pow(self.rank as u32 - 1) as f64;
-        self.work += R::RELATIVE_COST * (size * size * size) as f64 / 6.0 + vertices;
+        let (points, memberships, changes) = (self.points.len(), self.memberships(), self.changes());
+        let [dense, sums] = work::of_step(self.rank, points, self.sets.len(), memberships, changes);
+        self.work += R::RELATIVE_COST * dense + R::RELATIVE_COST_OF_SUMS * sums;
+        self.work += work::of_vertices(self.rank, points);
         let equations = Equations { sets: self, scalings, factor: matrix.factor()? };
         let residual = self.residual(self.sets.iter().map(|set| set.dual.rest));
         let count = self.sets.len() as f64;

@@ -1,11 +1,33 @@
-//! Grids on the faces x_i = 1 of the cube [−1, 1]^D, which meet every line through the origin, as directions of length
-//! 1: the middles of their cells, and their corners.
+//! The faces x_i = 1 of the cube [−1, 1]^D, which meet every line through the origin: the face and the place of a
+//! vector's line, the cells of grids on the faces, and their middles and corners as directions of length 1.
+
+/// The axis of the face that the line of a vector meets, the first of several; none for the zero vector.
+#[inline]
+pub(crate) fn face_of<const D: usize>(v: &[f64; D]) -> Option<usize> {
+    let face = (1..D).fold(0, |face, k| if v[k].abs() > v[face].abs() { k } else { face });
+    (D > 0 && v[face] != 0.0).then_some(face)
+}
+
+/// The two coordinates on a face at which the line of a vector of space meets it, in the cyclic order of the axes, each
+/// off by half a unit in the last place.
+pub(crate) fn place_on(face: usize, v: &[f64; 3]) -> [f64; 2] {
+    [v[(face + 1) % 3] / v[face], v[(face + 2) % 3] / v[face]]
+}
+
+/// The cell of a coordinate on a face, where a side has so many.
+pub(crate) fn cell_at(coordinate: f64, cells: u32) -> u32 {
+    (((coordinate + 1.0) * 0.5 * f64::from(cells)) as u32).min(cells - 1)
+}
+
+/// The coordinate in the middle of a cell, where a side has so many.
+pub(crate) fn middle_of(cell: u32, cells: u32) -> f64 {
+    (2.0 * f64::from(cell) + 1.0) / f64::from(cells) - 1.0
+}
 
 /// The middles of the cells of grids with `cells` cells along a side, scaled to length 1: every unit vector or its
 /// opposite is within sqrt(D − 1) / `cells` of one of them, but for rounding.
 pub fn cell_middles<const D: usize>(cells: usize) -> Vec<[f64; D]> {
-    let middle = |i: usize| (2 * i + 1) as f64 / cells as f64 - 1.0;
-    on_faces(cells, middle)
+    on_faces(cells, |i| middle_of(i as u32, cells as u32))
 }
 
 /// The corners of the cells of grids with `cells` cells along a side, scaled to length 1, each direction once: every

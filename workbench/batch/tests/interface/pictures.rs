@@ -1,0 +1,134 @@
+//! Data for pictures agree with the answers of the kinds, for generators and points in any position.
+
+use batch::{PICTURES, answer, picture};
+use serde_json::{Value, json};
+
+const EGG: [[f64; 2]; 7] = [[0.0, 8.0], [2.0, 2.0], [16.0, 0.0], [21.0, 5.0], [17.0, 15.0], [9.0, 16.0], [10.0, 10.0]];
+
+fn asked(respond: fn(&str) -> String, kind: &str, input: &Value) -> Value {
+    let question = json!({"id": "q", "kind": kind, "input": input});
+    let content: Value = serde_json::from_str(&respond(&question.to_string())).expect("an answer is JSON");
+    assert_eq!((content["id"].as_str(), content["kind"].as_str()), (Some("q"), Some(kind)));
+    content
+}
+
+fn drawn(kind: &str, input: &Value) -> Value {
+    let content = asked(picture, kind, input);
+    assert!(content["error"].is_null(), "{kind}: {}", content["error"]);
+    content["result"].clone()
+}
+
+fn solved(kind: &str, input: &Value) -> Value {
+    asked(answer, kind, input)["result"].clone()
+}
+
+/// Bodies in space: in general position, degenerate in each way, flat, a segment and a point.
+fn bodies() -> Vec<Vec<[f64; 3]>> {
+    let diagonals = vec![[1.0, 1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]];
+    let coplanar = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0], [2.0, 0.0, 0.0], [0.0; 3]];
+    let flat = vec![[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 1.0, 1.0]];
+    let upright = vec![[1.0, 0.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+    let general = vec![[3.0, 1.0, 0.5], [1.0, 4.0, -1.0], [-2.0, 1.0, 1.5], [0.5, -1.0, 3.0], [1.0, 1.0, 1.0]];
+    vec![general, diagonals, coplanar, flat, upright, vec![[1.0, 2.0, 3.0], [2.0, 4.0, 6.0]], vec![]]
+}
+
+#[test]
+fn pictures_of_points_agree_with_the_zonogon_of_least_area() {
+    let best = solved("min_area", &json!({"points": EGG}));
+    let at_best = drawn("centered_zonogon", &json!({"points": EGG, "center": best["center"]}));
+    let [at, least] = [&at_best["area"], &best["area"]].map(|area| area.as_f64().expect("a number"));
+    assert!((at - least).abs() <= 1e-14 * least, "the answer is rounded outward: {at} and {least}");
+    assert_eq!(at_best["hull"], best["certificate"]["hull"]);
+    let zonogon = drawn("zonogon", &json!({"center": best["center"], "generators": best["generators"]}));
+    let generators = best["generators"].as_array().map_or(0, Vec::len);
+    assert_eq!(zonogon["vertices"].as_array().map(Vec::len), Some(2 * generators));
+
+    let search = drawn("search_of_theorem_4_5", &json!({"points": EGG}));
+    let steps = search["steps"].as_array().expect("steps");
+    assert_eq!(steps[0]["candidates"].as_u64(), search["vertices"].as_array().map(|all| all.len() as u64));
+    let last = steps.last().expect("a step");
+    assert_eq!((&last["side"], last["left"].as_u64()), (&json!("optimal"), Some(0)));
+    let at_minimum = drawn("centered_zonogon", &json!({"points": EGG, "center": last["minimum"]}));
+    let found = at_minimum["area"].as_f64().expect("a number");
+    assert!((found - least).abs() <= 1e-12 * least);
+
+    let along = drawn("area_along", &json!({"points": EGG, "from": [0, 0], "to": best["center"]}));
+    let end = along["area"].as_array().and_then(|areas| areas.last()?.as_f64()).expect("the end");
+    assert!((end - least).abs() <= 1e-12 * least);
+    let sets = drawn("level_sets", &json!({"points": EGG, "levels": [0.9 * least, 2.0 * least]}));
+    assert_eq!(sets["polygons"][0], json!([]));
+    assert!(sets["polygons"][1].as_array().is_some_and(|polygon| polygon.len() > 4));
+}
+
+#[test]
+fn points_without_area_have_pictures_too() {
+    for points in [json!([[1, 2]]), json!([[0, 0], [2, 1], [4, 2]])] {
+        let at = drawn("centered_zonogon", &json!({"points": points, "center": [3, 3]}));
+        let along = drawn("area_along", &json!({"points": points, "from": [3, 3], "to": [0, 1]}));
+        assert_eq!(along["area"][0], at["area"]);
+        assert_eq!(drawn("search_of_theorem_4_5", &json!({"points": points}))["steps"], json!([]));
+        assert_eq!(drawn("pruning", &json!({"points": points, "line_search_limit": 4}))["cells"], json!([]));
+        assert_eq!(drawn("level_sets", &json!({"points": points, "levels": [5]}))["polygons"], json!([[]]));
+    }
+}
+
+#[test]
+fn faces_are_as_many_as_are_counted_and_tiles_are_facets() {
+    for generators in bodies() {
+        let counted = solved("combinatorics", &json!({"generators": generators}));
+        let faces = drawn("faces", &json!({"center": [1, 2, 3], "generators": generators}));
+        let length = |name: &str| faces[name].as_array().map(Vec::len);
+        assert_eq!(faces["dimension"], counted["affine_dim"], "{generators:?}");
+        assert_eq!(length("vertices").map(Into::into), Some(counted["vertices"].clone()), "{generators:?}");
+        assert_eq!(length("edges").map(Into::into), Some(counted["edges"].clone()), "{generators:?}");
+        let tiling = drawn("tiling", &json!({"generators": generators}));
+        let tiles = tiling["tiles"].as_array().expect("a list").len();
+        let vertical = tiling["vertical_facets"].as_u64().expect("a number") as usize;
+        assert_eq!(length("facets"), Some(2 * tiles + vertical), "{generators:?}");
+        let classes = tiling["classes"].as_array().expect("a list").iter();
+        let in_classes: usize = classes.map(|class| class["generators"].as_array().map_or(0, Vec::len)).sum();
+        let zero = tiling["zero"].as_array().map_or(0, Vec::len);
+        assert_eq!(in_classes + zero, generators.len(), "{generators:?}");
+    }
+}
+
+#[test]
+fn searches_and_planes_agree_with_locations_and_gauges() {
+    for generators in bodies() {
+        for point in [[0.5, 0.25, 0.5], [9.0, 1.0, -2.0], [1.0, 2.0, 3.0]] {
+            let input = json!({"point": point, "center": [0, 0, 0], "generators": generators});
+            let search = drawn("search_of_theorem_5_2", &input);
+            assert_eq!(search["status"], solved("member", &input)["status"], "{input}");
+            let plane = drawn("plane_of_directions", &input);
+            let gauge = solved("gauge", &json!({"p": [0, 0, 0], "q": point, "generators": generators}));
+            let [drawn, exact] = [&plane["gauge"], &gauge["gauge"]].map(Value::as_f64);
+            assert_eq!(drawn.is_some(), exact.is_some(), "{input}");
+            if let (Some(drawn), Some(exact)) = (drawn, exact) {
+                assert!((drawn - exact).abs() <= 1e-12 * exact, "{input}");
+            }
+            assert_eq!(plane["lines"].as_array().map(Vec::len), Some(generators.len()));
+        }
+    }
+}
+
+#[test]
+fn what_is_no_picture_is_refused_like_a_question() {
+    let refusal = |question: &Value| {
+        let content: Value = serde_json::from_str(&picture(&question.to_string())).expect("JSON");
+        (content["error"]["code"].as_str().map(str::to_owned), content["error"]["message"].to_string())
+    };
+    let asked = |kind: &str, input: Value| refusal(&json!({"id": "q", "kind": kind, "input": input}));
+    let (code, message) = asked("tilings", json!({}));
+    assert_eq!(code.as_deref(), Some("unknown_kind"));
+    assert!(PICTURES.iter().all(|picture| message.contains(picture.name)) && message.contains("tiling"), "{message}");
+    assert_eq!(asked("tiling", json!({})).0.as_deref(), Some("bad_input"));
+    assert_eq!(asked("tiling", json!({"generators": [["NaN", 0, 0]]})).0.as_deref(), Some("non_finite"));
+    assert_eq!(asked("level_sets", json!({"points": [], "levels": []})).0.as_deref(), Some("empty"));
+    assert_eq!(asked("faces", json!({"center": [0, 0], "generators": []})).0.as_deref(), Some("dimension_mismatch"));
+    let many = vec![[1.0, 0.0, 0.0]; 501];
+    assert_eq!(asked("tiling", json!({"generators": many})).0.as_deref(), Some("too_large"));
+    let centre = json!({"point": [1, 1, 1], "center": [1, 1, 1], "generators": [[1, 0, 0]]});
+    assert_eq!(asked("plane_of_directions", centre).0.as_deref(), Some("bad_input"));
+    let by_method = json!({"id": "q", "kind": "tiling", "method": "by_sweep", "input": {"generators": []}});
+    assert_eq!(refusal(&by_method).0.as_deref(), Some("unknown_method"));
+}

@@ -1,0 +1,54 @@
+/** The figure of the proof: the coefficient of each edge of the hull, and the arrows δ_t e_t, which close. */
+
+import type { Control, Figure } from "../../kit/chapter";
+import { standalone } from "../../kit/downloads";
+import type { Shape } from "../../kit/layer";
+import { boxAround, PlaneView } from "../../kit/plane_view";
+import { add2, digits, scale2 } from "../../kit/vectors";
+import type { Vec2 } from "../../library/shapes";
+import { balance } from "./proof";
+import type { Answers, State } from "./state";
+
+/** Edges up to which each carries its coefficient as text. */
+const TEXT_LIMIT = 14;
+
+export function proofFigure(control: Control<State>): Figure<State, Answers> {
+  const view = new PlaneView(
+    "The hull with the coefficients of its edges",
+    ["hull", "edges", "center", "names"],
+    {},
+    () => control.redraw(),
+  );
+  return {
+    element: view.element,
+    svg: () => standalone(view.svg),
+    draw(state, answers) {
+      const { center, certificate } = answers.best.result;
+      const corners = certificate.hull.map((index) => state.points[index] as Vec2);
+      const outline = answers.outline;
+      view.fit(boxAround([...corners, ...outline]));
+      view.draw("hull", [view.polygon(outline, { class: "best" }), view.polygon(corners, { class: "hull" })]);
+      const edges: Shape[] = [];
+      const names: Shape[] = [];
+      for (const edge of balance(state, answers)) {
+        const end = add2(edge.from, edge.vector);
+        const look = edge.coefficient > 0 ? "run" : "run reflected";
+        if (edge.coefficient !== 0)
+          edges.push(view.path([edge.from, end], { class: look, "stroke-width": 1 + 4 * Math.abs(edge.coefficient) }));
+        if (corners.length <= TEXT_LIMIT) {
+          names.push(
+            view.text(
+              add2(edge.from, scale2(edge.vector, 0.5)),
+              digits(edge.coefficient, 3),
+              { "text-anchor": "middle" },
+              [0, -5],
+            ),
+          );
+        }
+      }
+      view.draw("edges", edges);
+      view.draw("center", [view.dot(center, 5, { fill: "var(--green)" })]);
+      view.draw("names", [...names, view.text(center, "best centre", { class: "quiet" }, [8, 4])]);
+    },
+  };
+}

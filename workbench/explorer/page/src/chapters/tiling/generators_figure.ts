@@ -1,0 +1,77 @@
+/** The generators as a table whose numbers can be typed. */
+
+import type { Control, Figure } from "../../kit/chapter";
+import { button, html } from "../../kit/elements";
+import { zoneColour } from "../../kit/zone_colours";
+import type { Vec3 } from "../../library/shapes";
+import { MOST_GENERATORS, type Answers, type State } from "./state";
+
+/** Generators up to which the table has a row for each. */
+const ROW_LIMIT = 24;
+
+const AXES = ["x", "y", "z"] as const;
+
+export function generatorsFigure(control: Control<State>): Figure<State, Answers> {
+  const body = html("tbody");
+  const more = html("p", { class: "note" });
+  const add = button("Add a generator", () => {
+    const { state } = control;
+    if (state.generators.length >= MOST_GENERATORS) return;
+    const count = state.generators.length;
+    const next: Vec3 = [Number(Math.cos(2.4 * count).toFixed(2)), Number(Math.sin(2.4 * count).toFixed(2)), 0.7];
+    control.commit({ ...state, generators: [...state.generators, next] });
+  });
+  const head = html(
+    "tr",
+    {},
+    ...["vᵢ", ...AXES, ""].map((name) => (name ? html("th", { scope: "col" }, name) : html("td"))),
+  );
+  const table = html("table", { class: "generators" }, html("thead", {}, head), body);
+  let rows: HTMLInputElement[][] = [];
+
+  const begin = (count: number) => {
+    rows = Array.from({ length: count }, (_, index) =>
+      AXES.map((axis, place) => {
+        const field = html("input", { type: "number", step: 0.1, "aria-label": `Generator ${index + 1}, ${axis}` });
+        field.addEventListener("change", () => {
+          const value = field.valueAsNumber;
+          if (!Number.isFinite(value)) return;
+          const { state } = control;
+          const put = (one: Vec3) => one.map((old, at) => (at === place ? value : old)) as unknown as Vec3;
+          control.commit({ ...state, generators: state.generators.map((one, at) => (at === index ? put(one) : one)) });
+        });
+        return field;
+      }),
+    );
+    body.replaceChildren(
+      ...rows.map((fields, index) => {
+        const remove = button(
+          "×",
+          () => {
+            const { state } = control;
+            control.commit({ ...state, lit: null, generators: state.generators.filter((_, at) => at !== index) });
+          },
+          { "aria-label": `Delete generator ${index + 1}` },
+        );
+        const swatch = html("span", { class: "swatch", style: `background:${zoneColour(index)}` });
+        const cells = fields.map((field) => html("td", {}, field));
+        return html("tr", {}, html("th", { scope: "row" }, swatch, ` ${index + 1}`), ...cells, html("td", {}, remove));
+      }),
+    );
+  };
+  return {
+    element: html("div", {}, html("div", { class: "wide" }, table), more, add),
+    draw(state) {
+      const count = Math.min(state.generators.length, ROW_LIMIT);
+      if (rows.length !== count) begin(count);
+      rows.forEach((fields, index) =>
+        fields.forEach((field, place) => {
+          const value = String(state.generators[index]?.[place] ?? 0);
+          if (document.activeElement !== field && field.value !== value) field.value = value;
+        }),
+      );
+      const rest = state.generators.length - count;
+      more.textContent = rest > 0 ? `and ${rest} more generators` : "";
+    },
+  };
+}

@@ -1,0 +1,82 @@
+// The chapter in a browser: three views show the same, and special positions are told.
+import { holds, same } from "../../../tests/kit.mjs";
+
+export const id = "tiling";
+
+export async function test(opened, library) {
+  const { page } = opened;
+  await opened.chapter(id);
+  const { generators } = await opened.state().then((state) => state ?? { generators: null });
+  holds(generators === null || Array.isArray(generators), "the address holds the state or none");
+  const expected = async (list) => {
+    const counted = library.ask("answer", "combinatorics", { generators: list });
+    for (const name of ["vertices", "edges", "facets"]) same(await opened.read(name), counted[name], name);
+    const { tiles } = library.ask("picture", "tiling", { generators: list });
+    same(await page.locator("#tiling-tiling .tile").count(), tiles.length, "tiles in the picture");
+    same(await page.locator("#tiling-arrangement .crossings circle").count(), tiles.length, "crossings in the picture");
+  };
+  await page.locator("#tiling-sweep .stepper button").last().click();
+  await opened.rest();
+  await expected((await opened.state()).generators);
+  for (const name of [
+    "Cube",
+    "Rhombic dodecahedron",
+    "Truncated octahedron",
+    "Polar zonohedron of 7",
+    "Three in a plane",
+    "All in one plane",
+    "One generator",
+    "Parallel generators",
+  ]) {
+    await opened.preset(name);
+    await expected((await opened.state()).generators);
+  }
+  holds((await page.locator("article").innerText()).includes("are parallel"), "parallel generators are told");
+
+  // A tile under the pointer lights up its crossing.
+  await opened.preset("Five generators");
+  const tile = page.locator("#tiling-tiling .tile").nth(5);
+  await tile.scrollIntoViewIfNeeded();
+  const box = await tile.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForTimeout(200);
+  holds((await tile.getAttribute("class")).includes("lit"), "the tile is lit up");
+  same(
+    await page.locator("#tiling-arrangement .crossings circle").nth(5).getAttribute("r"),
+    "8",
+    "the radius of the crossing that is lit up",
+  );
+
+  // Keys go from tile to tile.
+  await page.locator("#tiling-tiling svg").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(200);
+  holds(
+    (await page.locator("#tiling-tiling .tile").nth(6).getAttribute("class")).includes("lit"),
+    "the key lights up the next tile",
+  );
+
+  // A generator is pulled in space, and by keys.
+  await opened.preset("Five generators");
+  const before = (await opened.state()).generators;
+  await opened.drag('#tiling-space [data-handle="0"]', 25, -10);
+  const after = (await opened.state()).generators;
+  holds(JSON.stringify(after[0]) !== JSON.stringify(before[0]), "the generator was pulled");
+  same(JSON.stringify(after.slice(1)), JSON.stringify(before.slice(1)), "the other generators stay");
+  await expected(after);
+
+  // Numbers are typed.
+  await page.getByRole("spinbutton", { name: "Generator 3, x" }).fill("1.5");
+  await page.keyboard.press("Tab");
+  await opened.rest();
+  same((await opened.state()).generators[2][0], 1.5, "the number that was typed");
+
+  same(await opened.exercise("facets", "30"), true, "the exercise on facets");
+  same(await opened.exercise("facets", "15"), false, "the exercise on facets, answered wrongly");
+  same(await opened.exercise("parallel", "6"), true, "the exercise on parallel generators");
+  same(await opened.exercise("cell", "3"), true, "the exercise on cells");
+  same(await opened.exercise("polar", 1), true, "the exercise on polar zonohedra");
+  same(await opened.exercise("hexagon"), false, "five generators in general position have no hexagon");
+  await opened.preset("Three in a plane");
+  same(await opened.exercise("hexagon"), true, "three generators in a plane have a hexagon");
+}

@@ -1,0 +1,16 @@
+// A picture of each chapter as it opens, for the gallery: its first figure. Taken where a folder is given.
+import { mkdirSync, statSync } from "node:fs";
+import { holds } from "./kit.mjs";
+
+export const options = { viewport: { width: 1000, height: 800 } };
+
+export async function test(opened, _library, { ids, gallery }) {
+  if (!gallery) return;
+  mkdirSync(gallery, { recursive: true });
+  for (const id of ids) {
+    await opened.chapter(id);
+    const path = `${gallery}/${id}.png`;
+    await opened.page.locator("article figure .stage").first().screenshot({ path });
+    holds(statSync(path).size > 5000, `${id}: the picture is empty`);
+  }
+}

@@ -1,0 +1,142 @@
+// What the tests share: a browser, the page opened from a file, and the library in Node.
+import { existsSync, readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const NAMES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+/** The path of a browser, or null. */
+export function browserPath() {
+  return [process.env.CHROMIUM, ...NAMES].find((path) => path && existsSync(path)) ?? null;
+}
+
+export function launch() {
+  return chromium.launch({
+    executablePath: browserPath(),
+    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+}
+
+/** The library in Node: the same module, without the page. */
+export class Library {
+  static async open(path) {
+    const { instance } = await WebAssembly.instantiate(readFileSync(path), {});
+    return new Library(instance.exports);
+  }
+
+  constructor(entries) {
+    this.entries = entries;
+  }
+
+  call(entry, text) {
+    const bytes = new TextEncoder().encode(text);
+    const { memory, input, output } = this.entries;
+    const start = input(bytes.length);
+    new Uint8Array(memory.buffer, start, bytes.length).set(bytes);
+    const length = this.entries[entry]();
+    return new TextDecoder().decode(new Uint8Array(memory.buffer, output(), length));
+  }
+
+  ask(entry, kind, input, method) {
+    const answer = JSON.parse(
+      this.call(entry, JSON.stringify({ id: "test", kind, input, ...(method ? { method } : {}) })),
+    );
+    if (answer.error) throw new Error(`${kind}: ${answer.error.message}`);
+    return answer.result;
+  }
+}
+
+/** The page, with everything that it must not do written down: complaints on the console, errors, requests. */
+export class Opened {
+  constructor(page, file) {
+    this.page = page;
+    this.file = pathToFileURL(file).href;
+    this.complaints = [];
+    page.on("console", (message) => {
+      if (message.type() === "error") this.complaints.push(`console: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => this.complaints.push(`error: ${error.message}`));
+    page.on("request", (request) => {
+      const url = request.url();
+      if (!/^(blob|data):/.test(url) && url.split("#")[0] !== this.file) this.complaints.push(`request: ${url}`);
+    });
+  }
+
+  /** Opens a chapter anew, in a state if one is given. */
+  async chapter(id, state) {
+    await this.page.goto("about:blank");
+    const told = state === undefined ? "" : `?${encodeURIComponent(JSON.stringify(state))}`;
+    await this.page.goto(`${this.file}#${id}${told}`);
+    await this.page.waitForSelector(`article#${id} figure`, { timeout: 30_000 });
+    await this.rest();
+  }
+
+  /** Waits until nothing is drawn any more and the worker has answered. */
+  async rest() {
+    await this.page.waitForTimeout(60);
+    await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
+  }
+
+  /** The state that the address tells. */
+  async state() {
+    const hash = await this.page.evaluate(() => location.hash);
+    return JSON.parse(decodeURIComponent(hash.split("?")[1] ?? "null"));
+  }
+
+  /** A number of the text, as the page holds it. */
+  async read(name) {
+    const value = await this.page.locator(`[data-read="${name}"]`).first().getAttribute("data-value");
+    return Number.isNaN(Number(value)) ? value : Number(value);
+  }
+
+  async place(selector) {
+    await this.page.locator(selector).first().scrollIntoViewIfNeeded();
+    const box = await this.page.locator(`${selector} .mark`).first().boundingBox();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Drags a handle by some pixels. */
+  async drag(selector, dx, dy, steps = 8) {
+    const { x, y } = await this.place(selector);
+    await this.page.mouse.move(x, y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(x + dx, y + dy, { steps });
+    await this.page.waitForTimeout(100);
+    // The view may be drawn anew around its content when the handle is let go, so the place is looked at before.
+    const box = await this.page.locator(`${selector} .mark`).first().boundingBox();
+    await this.page.mouse.up();
+    await this.rest();
+    const off = Math.hypot(box.x + box.width / 2 - x - dx, box.y + box.height / 2 - y - dy);
+    holds(off < 2, `the handle ${selector} is ${off} pixels off the pointer`);
+  }
+
+  async preset(name) {
+    await this.page.getByRole("combobox", { name: "Preset" }).selectOption({ label: name });
+    await this.rest();
+  }
+
+  async exercise(id, reply) {
+    const item = this.page.locator(`[data-exercise="${id}"]`);
+    if (typeof reply === "string") await item.locator("input[type=text]").fill(reply);
+    if (typeof reply === "number") await item.locator("input[type=radio]").nth(reply).check();
+    await item.locator("button.check").click();
+    return (await item.locator(".verdict").getAttribute("class")).includes("right");
+  }
+}
+
+export function same(found, expected, about) {
+  if (!Object.is(found, expected)) throw new Error(`${about}: ${found} where ${expected} is expected`);
+}
+
+/** A text that is the same for the same data, whatever the order of their fields. */
+export function text(data) {
+  return JSON.stringify(data, (_, value) =>
+    value && typeof value === "object" && !Array.isArray(value)
+      ? Object.fromEntries(Object.entries(value).sort())
+      : value,
+  );
+}
+
+export function holds(condition, about) {
+  if (!condition) throw new Error(about);
+}

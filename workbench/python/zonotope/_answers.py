@@ -1,0 +1,306 @@
+"""Answers that carry their proof, and its check."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+from . import _errors
+from ._zonotope import solve, verify
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._body import Zonotope
+
+
+Kind = TypeVar("Kind", bound="Answer")
+
+
+class Verdict(NamedTuple):
+    """What the verifier says of an answer. It is true where every statement of the answer was proved.
+
+    >>> bool(Verdict("unchecked", "too many generators"))
+    False
+    """
+
+    word: str
+    """`right`, `wrong`, or `unchecked` where not everything could be proved and nothing was found wrong."""
+    reason: str
+    """What was proved, or what is wrong or open."""
+
+    def __bool__(self) -> bool:
+        return self.word == "right"
+
+
+class Answer:
+    """An answer to a question of the batch.
+
+    Attributes
+    ----------
+    question, answer : str
+        The lines of JSON that `zonobench solve` and `zonobench verify` read.
+    result : dict
+        All fields of the answer, as the manual of the batch has them.
+    proof : dict
+        The certificate: what has to be looked at to be sure of the answer.
+    """
+
+    def __init__(self, kind: str, given: str, method: str | None = None) -> None:
+        asked = "" if method is None else f',"method":{json.dumps(method)}'
+        self.question = f'{{"id":"python","kind":"{kind}","input":{given}{asked}}}'
+
+    @cached_property
+    def answer(self) -> str:
+        return solve(self.question)
+
+    @cached_property
+    def result(self) -> dict[str, Any]:
+        answer = json.loads(self.answer)
+        if "error" in answer:
+            raise _errors.of_code(answer["error"]["code"], answer["error"]["message"])
+        result: dict[str, Any] = answer["result"]
+        return result
+
+    def now(self: Kind) -> Kind:
+        """The answer itself, after its question has been answered or refused."""
+        _ = self.result
+        return self
+
+    @property
+    def proof(self) -> dict[str, Any]:
+        certificate: dict[str, Any] = self.result.get("certificate", {})
+        return certificate
+
+    def verify(self) -> Verdict:
+        """Checks the answer by the crate `verifier`, which shares nothing with the solvers, in exact integers.
+
+        Returns
+        -------
+        Verdict
+        """
+        return Verdict(*verify(self.question, self.answer))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_of_lines, (type(self), self.question, self.answer))
+
+
+def _of_lines(kind: type[Answer], question: str, answer: str) -> Answer:
+    made = kind.__new__(kind)
+    made.question = question
+    made.__dict__["answer"] = answer
+    return made
+
+
+def number(value: float | str) -> float:
+    """A number of an answer; what is not finite is spelled there."""
+    return float(value)
+
+
+class Location(Answer):
+    """Where a point lies. It is true where the point belongs to the closed body.
+
+    >>> from zonotope import Zonotope
+    >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
+    >>> where = square.location([1, 0.5])
+    >>> where.status, bool(where), where.proof
+    ('boundary', True, {'coefficients': [1.0, 0.5], 'basis': [1]})
+    """
+
+    @property
+    def status(self) -> str:
+        """`inside`, `boundary` or `outside`."""
+        return str(self.result["status"])
+
+    def __bool__(self) -> bool:
+        return bool(self.result["member"])
+
+    def __repr__(self) -> str:
+        return f"Location({self.status!r})"
+
+
+class Intersection(Answer):
+    """How two bodies meet. It is true where they have a point in common; bodies that touch do.
+
+    The proof is made when it is first asked for.
+
+    >>> from zonotope import Zonotope
+    >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
+    >>> square.intersects(square + [2, 0]).status
+    'boundary'
+    """
+
+    _STATUSES = {-1: "inside", 0: "boundary", 1: "outside"}
+
+    def __init__(self, given: str, place: int) -> None:
+        super().__init__("intersect", given)
+        self._place = place
+
+    @property
+    def status(self) -> str:
+        """`inside` where interiors meet, `boundary` where the bodies only touch, `outside` where they are apart."""
+        return self._STATUSES[self._place]
+
+    def __bool__(self) -> bool:
+        return self._place <= 0
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kind, lines = super().__reduce__()
+        return (kind, lines, {"_place": self._place})
+
+    def __repr__(self) -> str:
+        return f"Intersection({self.status!r})"
+
+
+class Distance(Answer):
+    """The distance of two bodies and how deep they lie in each other; `float()` of it is the distance.
+
+    Nearest points, depth and proof are made when they are first asked for.
+
+    >>> from zonotope import Zonotope
+    >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
+    >>> far = square.distance(square + [4, 5])
+    >>> float(far), [end.tolist() for end in far.nearest]
+    (3.605551275463989, [[1.0, 1.0], [3.0, 4.0]])
+    """
+
+    def __init__(self, given: str, value: float) -> None:
+        super().__init__("distance", given)
+        self._value = value
+
+    @property
+    def value(self) -> float:
+        """The Euclidean distance, within four units in the last place; 0 where the bodies meet."""
+        return self._value
+
+    @property
+    def nearest(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The points of the two bodies that are nearest to each other, each of shape (d,)."""
+        import numpy as np
+
+        a, b = (np.array([number(c) for c in self.result["nearest"][side]]) for side in "ab")
+        return a, b
+
+    @property
+    def penetration(self) -> tuple[float, float] | None:
+        """The least translation that makes the bodies only touch, between two bounds within 1 %; none if apart."""
+        depth = self.result.get("penetration")
+        return None if depth is None else (number(depth["lower"]), number(depth["upper"]))
+
+    @property
+    def direction(self) -> NDArray[np.float64] | None:
+        """The direction of that translation, of shape (d,)."""
+        import numpy as np
+
+        depth = self.result.get("penetration")
+        return None if depth is None else np.array([number(c) for c in depth["direction"]])
+
+    def __float__(self) -> float:
+        return self._value
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kind, lines = super().__reduce__()
+        return (kind, lines, {"_value": self._value})
+
+    def __repr__(self) -> str:
+        return f"Distance({self._value!r})"
+
+
+class Hausdorff(Answer):
+    """The Hausdorff distance of two bodies between two proven bounds; `float()` of it is the value.
+
+    >>> from zonotope import Zonotope
+    >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
+    >>> gap = square.hausdorff(2 * square)
+    >>> float(gap), gap.contained
+    (1.4142135623730951, True)
+    """
+
+    @property
+    def value(self) -> float:
+        return number(self.result["value"])
+
+    @property
+    def lower(self) -> float:
+        return number(self.result["lower"])
+
+    @property
+    def upper(self) -> float:
+        return number(self.result["upper"])
+
+    @property
+    def contained(self) -> bool:
+        """Whether the first body lies in the second, exactly."""
+        return bool(self.result["a_subset_b"])
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __repr__(self) -> str:
+        return f"Hausdorff({self.value!r}, lower={self.lower!r}, upper={self.upper!r})"
+
+
+class Reduction(Answer):
+    """A zonotope of fewer generators around another.
+
+    >>> from zonotope import Zonotope
+    >>> octagon = Zonotope([5, 0], [[1, 0, 1, 1], [0, 1, 1, -1]])
+    >>> box = octagon.reduce(2, rule="girard")
+    >>> box.body.generators.tolist(), box.lower <= 2**0.5 <= box.upper
+    ([[3.0, 0.0], [0.0, 3.0]], True)
+    """
+
+    @property
+    def body(self) -> Zonotope:
+        """The reduced body, which contains the given one exactly."""
+        return body_of(self.result)
+
+    @property
+    def lower(self) -> float:
+        """A proven lower bound of the Hausdorff distance between the two."""
+        return number(self.result["hausdorff"]["lower"])
+
+    @property
+    def upper(self) -> float:
+        """A proven upper bound of the Hausdorff distance between the two."""
+        return number(self.result["hausdorff"]["upper"])
+
+    def __repr__(self) -> str:
+        return f"Reduction({len(self.result['generators'])} generators, upper={self.upper!r})"
+
+
+class Collision(Answer):
+    """Whether two moving bodies meet during a step of time, and when first. It is false where they stay apart.
+
+    The times are fractions of the step, from 0 to 1.
+    """
+
+    @property
+    def status(self) -> str:
+        """`separate`, `contact`, or `grazing` where neither could be proved within the resolution."""
+        return str(self.result["status"])
+
+    @property
+    def time(self) -> tuple[float, float] | None:
+        """Bounds of the first contact: free before the first, meeting at the second; none if separate."""
+        time = self.result.get("time")
+        return None if time is None else (number(time[0]), number(time[1]))
+
+    def __bool__(self) -> bool:
+        return self.status != "separate"
+
+    def __repr__(self) -> str:
+        return f"Collision({self.status!r}, time={self.time!r})"
+
+
+def body_of(result: Mapping[str, Any]) -> Zonotope:
+    """The body in an answer."""
+    from ._body import Zonotope
+
+    center = [number(c) for c in result["center"]]
+    rows = [[number(c) for c in row] for row in result["generators"]]
+    return Zonotope.from_generators(rows, center)

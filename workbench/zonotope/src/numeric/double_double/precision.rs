@@ -1,0 +1,71 @@
+//! The precisions in which a sign is decided, each where the ones before leave a doubt: doubles with bounds, doubles
+//! with an exponent of their own, pairs of doubles, exact numbers.
+
+use std::cmp::Ordering;
+
+use super::bounded::BoundedDoubleDouble;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::bounded::wide::BoundedWide;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::Ring;
+
+/// Numbers of one precision.
+pub(crate) trait Precision: Ring {
+    /// A finite double.
+    fn of_double(value: f64) -> Self;
+    /// The sum of two finite doubles, the second one no more than what rounding takes off the first.
+    fn of_sum(parts: [f64; 2]) -> Self;
+    /// An exact number.
+    fn of(number: &Dyadic) -> Self;
+    /// The sign of the exact value if it is certain; that of 0 is known of exact numbers alone.
+    fn certain_sign(&self) -> Option<Ordering>;
+}
+
+/// Numbers with bounds, from the sum of two doubles and from an exact number.
+macro_rules! precision_with_bounds {
+    ($number:ty, |$parts:ident| $of_sum:expr, |$exact:ident| $of:expr) => {
+        impl Precision for $number {
+            fn of_double(value: f64) -> Self {
+                Self::exact(value)
+            }
+
+            fn of_sum($parts: [f64; 2]) -> Self {
+                $of_sum
+            }
+
+            fn of($exact: &Dyadic) -> Self {
+                $of
+            }
+
+            fn certain_sign(&self) -> Option<Ordering> {
+                self.sign().map(|sign| sign.cmp(&0))
+            }
+        }
+    };
+}
+
+precision_with_bounds!(Bounded, |parts| Bounded { value: parts[0], error: parts[1].abs() }, |exact| {
+    BoundedDoubleDouble::of(exact).rounded()
+});
+precision_with_bounds!(BoundedWide, |parts| BoundedWide::of_sum(parts), |exact| BoundedWide::of(exact));
+precision_with_bounds!(BoundedDoubleDouble, |parts| BoundedDoubleDouble::of_parts(parts[0], parts[1], 0.0), |exact| {
+    BoundedDoubleDouble::of(exact)
+});
+
+impl Precision for Dyadic {
+    fn of_double(value: f64) -> Self {
+        Self::from_f64(value)
+    }
+
+    fn of_sum([head, tail]: [f64; 2]) -> Self {
+        Self::from_f64(head) + Self::from_f64(tail)
+    }
+
+    fn of(number: &Dyadic) -> Self {
+        number.clone()
+    }
+
+    fn certain_sign(&self) -> Option<Ordering> {
+        Some(self.sign())
+    }
+}
