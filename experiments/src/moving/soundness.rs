@@ -1,5 +1,5 @@
-//! Answers about moving bodies held to the verifier and to samples: no sample contradicts an answer, and between samples
-//! the bodies move by no more than a bound.
+//! Answers about moving bodies held to the verifier and to samples: no sample contradicts an answer, and between
+//! samples the bodies move by no more than a bound.
 //!
 //! A distance at a time that is more than what the bodies move until both ends of an interval proves, but for
 //! rounding, that they do not meet in it; else the interval is halved.

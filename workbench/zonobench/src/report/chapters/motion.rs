@@ -10,14 +10,14 @@ pub(super) static CHAPTER: Chapter = Chapter {
     id: "motion",
     title: "Bodies in motion",
     place: "Section 6, Theorem 6.1",
-    statement: "Two bodies turn and translate during a step of time. Do they meet, and when first, so that no collision \
-        between two looks at them is missed?",
+    statement: "Two bodies turn and translate during a step of time. Do they meet, and when first, so that no \
+        collision between two looks at them is missed?",
     lesson,
     pictures: &["motion-time-bar", "paper-figure-3"],
     table: ChapterTable::Growth,
     method: &[
-        "The paper's volume: the ways of all vertices of a turning body lie in a circle through the farthest one's end. \
-         A square around it and half of the translation are three generators more, and a body of them holds all \
+        "The paper's volume: the ways of all vertices of a turning body lie in a circle through the farthest one's \
+         end. A square around it and half of the translation are three generators more, and a body of them holds all \
          placements. Where the volumes of two bodies meet, the step is cut in two.",
         "Control points: along a direction the gap between the bodies, times a positive polynomial of the time, has \
          Bernstein coefficients that support values bound. If all are positive, one direction proves a whole stretch \
