@@ -64,7 +64,7 @@ fn against(found: &Measured<'_>, what: &str, other: &str, quantity: Quantity) ->
     ratio(found, what, "motion-strength", ["by_control_points", other], quantity)
 }
 
-/// Proved collisions that a method misses, over all inputs and numbers of steps.
+/// Sentence on the proved collisions that a method misses, over all inputs and numbers of steps.
 fn missed(found: &Measured<'_>, what: &str, method: &str) -> Option<String> {
     let total = |value| found.total("motion-misses", method, value);
     Some(format!("{what} {} of {} collisions.", total("missed")?, total("collisions")?))

@@ -70,8 +70,8 @@ pub(crate) fn sign_points(body: &Body) -> Vec<Vector> {
 /// A half-side of the library's square may exceed the exact radius by this part of it.
 pub(crate) const RADIUS_EXCESS: f64 = 1e-12;
 
-/// The sides of the square that the library adds to a body: the added generators that are as long as the radius, but for
-/// rounding upwards. There are two, where the square of the radius is right and not zero.
+/// The sides of the square that the library adds to a body: the added generators that are as long as the radius, but
+/// for rounding upwards. There are two, where the square of the radius is right and not zero.
 pub(crate) fn square_sides(
     volume: &zonotope::zonotope::Zonotope<3>,
     body: &zonotope::zonotope::Zonotope<3>,
