@@ -14,10 +14,10 @@ pub const FIGURE: Figure = Figure {
     id: "control-zonotopes",
     title: "Control zonotopes and the direction that proves a stretch of time",
     caption: "On the left a link turns past a box; on the right the same as one question about the origin. The gap \
-              along a direction, times a positive polynomial, has three Bernstein coefficients: each is the least value \
-              along it of one zonotope. The first and the last of them are the differences of the bodies at both ends \
-              of the turn, the middle one is the control zonotope between them. A line with the origin on one side and \
-              all three on the other proves that the bodies are apart during the whole turn.",
+              along a direction, times a positive polynomial, has three Bernstein coefficients: each is the least \
+              value along it of one zonotope. The first and the last of them are the differences of the bodies at \
+              both ends of the turn, the middle one is the control zonotope between them. A line with the origin \
+              on one side and all three on the other proves that the bodies are apart during the whole turn.",
     claims: &["question-4d-intersection", "interval-bisection"],
     experiments: &[],
     deterministic: true,
