@@ -56,6 +56,7 @@ fn every_command_is_listed() {
         "records",
         "compare",
         "reproduce",
+        "explore",
         "completions",
         "man",
     ];
