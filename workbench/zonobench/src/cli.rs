@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    collide, compare, contains, distance, draw, enclose, figure, hausdorff, inspect, intersect, list, records, reduce,
-    reproduce, shell, solve, sweep, verify,
+    collide, compare, contains, distance, draw, enclose, explore, figure, hausdorff, inspect, intersect, list, records,
+    reduce, reproduce, shell, solve, sweep, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -53,6 +53,8 @@ pub enum Command {
     Solve(solve::Options),
     /// Check answers against their questions, exactly.
     Verify(verify::Options),
+    /// Write the page that shows the paper's geometry at work, and open it in the browser.
+    Explore(explore::Options),
     /// Print the completions of the command line for a shell.
     Completions(shell::CompletionOptions),
     /// Print a page of the manual in the format of `man`.

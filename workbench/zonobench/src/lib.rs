@@ -1,6 +1,6 @@
 //! The workbench on the command line: `reproduce`, `figure`, `draw`, `records`, `compare`, `list`, `enclose`,
 //! `contains`, `intersect`, `distance`, `hausdorff`, `collide`, `sweep`, `reduce`, `inspect`, `solve`, `verify`,
-//! `completions`, `man`.
+//! `explore`, `completions`, `man`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -80,6 +80,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Inspect(options) => commands::inspect::run(options),
         Command::Solve(options) => commands::solve::run(options),
         Command::Verify(options) => commands::verify::run(options),
+        Command::Explore(options) => commands::explore::run(options),
         Command::Completions(options) => commands::shell::completions(options, Cli::command()),
         Command::Man(options) => commands::shell::man(options, Cli::command()),
     }

@@ -8,6 +8,7 @@ pub mod contains;
 pub mod distance;
 pub mod draw;
 pub mod enclose;
+pub mod explore;
 pub mod figure;
 pub mod hausdorff;
 pub mod inspect;

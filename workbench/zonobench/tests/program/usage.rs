@@ -1,6 +1,7 @@
 //! Command lines that make no sense: status 2, nothing on standard output.
 
 mod ends;
+mod explore;
 mod help;
 mod nearest;
 
