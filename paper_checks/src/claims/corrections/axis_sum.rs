@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Correction(Correction::Erratum),
     statement: "The zonotope with the moved generators and, for i = 1 to d, the generators eps D e_d contains Z",
     remedy: Some("read e_i: the sum runs over the axes, and the printed one takes the last axis d times"),
+    code: &["zonotope::enclosing::min_total_length"],
     check: Check::Run(check),
     tried: Tried::Witness,
     ..Claim::LISTED

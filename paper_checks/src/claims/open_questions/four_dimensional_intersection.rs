@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
             exact descent along edges",
     ),
     code: &["zonotope::collision::by_lad_in_r4"],
+    figures: &["control-zonotopes"],
     check: Check::Run(check),
     tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED

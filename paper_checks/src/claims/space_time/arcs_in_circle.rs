@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The arcs of the vertices, each below 180 degrees and moved to a common origin, lie in the circle whose \
         radius is the distance of the farthest end point, and so in a square of two generators",
     code: &["zonotope::motion::space_time::by_farthest_vertex"],
+    figures: &["paper-figure-3"],
     check: Check::Run(check),
     tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED

@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
             stated distance then",
     ),
     code: &["zonotope::motion::continuous::by_space_time_volumes", "zonotope::motion::continuous"],
+    figures: &["swept-volumes", "motion-time-bar", "control-zonotopes"],
     check: Check::Run(check),
     tried: Tried::Witness,
     ..Claim::LISTED

@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The volume contains all vertices of each placement of P during the rotation, and so, by convexity, \
         all of P throughout the interval",
     code: &["zonotope::motion::space_time::by_farthest_vertex"],
+    figures: &["swept-volumes"],
     check: Check::Run(check),
     tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED

@@ -24,9 +24,9 @@
 //!
 //! # A new kind of motion
 //! A motion whose quaternion goes linearly in the time between rational ones is a constructor in `path` that makes
-//! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other is
-//! a variant beside the two of `path`, with the functions that match on them: its arcs are rational stretches near it,
-//! and `angle_off` and `reach` bound how far they are off. What a question states is read in the crate `batch`
+//! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other
+//! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational stretches near
+//! it, and `angle_off` and `reach` bound how far they are off. What a question states is read in the crate `batch`
 //! (`kinds/motion/stated`), and once more, without this crate, in the verifier (`motion/path`).
 
 mod arc;

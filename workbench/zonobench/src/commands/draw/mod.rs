@@ -1,104 +1,20 @@
 //! `zonobench draw`: a reader's own data in the pictures of the paper.
 
 mod moving;
-
-use std::fmt;
-use std::path::PathBuf;
-use std::str::FromStr;
+mod options;
 
 use anyhow::{Context, bail};
-use clap::{Args, ValueEnum};
 use figures::own_data;
 
+pub use options::Options;
+use options::{Picture, SpacePoint, in_space};
+
 use super::Ending;
-use super::asking::PointOptions;
-use super::collide::Step;
-use super::placing::{Placing, PlacingOfSecond, in_words, rounded_in_words};
+use super::placing::{in_words, rounded_in_words};
 use super::usage::question_name;
 use super::usage::{Usage, check_inputs, check_names, tell};
-use crate::input::{Body, OptionNames, Points, RoundedBody, Wanted};
+use crate::input::{OptionNames, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
-
-/// Options of `draw`.
-#[derive(Debug, Args)]
-pub struct Options {
-    /// The thing to draw.
-    what: Picture,
-    /// The data: a zonotope of space, or points of the plane; `-` is standard input.
-    ///
-    /// The tiling, the arrangement, the separators, a motion and a search with --point are those of a zonotope (csv,
-    /// json, npy). The zonogon and a search without it are those of points.
-    file: PathBuf,
-    /// The second zonotope of a motion, which the first one may meet.
-    other: Option<PathBuf>,
-    #[command(flatten)]
-    reading: PointOptions,
-    #[command(flatten)]
-    placing: Placing,
-    #[command(flatten)]
-    placing_of_b: PlacingOfSecond,
-    #[command(flatten)]
-    step: Step,
-    /// Search for this point in the tiling of a zonotope (Theorem 5.2).
-    ///
-    /// Without it, the search is for the centre of the smallest zonogon around points (Theorem 4.5).
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
-    point: Option<SpacePoint>,
-    /// Show the separator with so many crossings, or tiles, on its left.
-    #[arg(long, value_name = "K")]
-    separator: Option<usize>,
-    /// Write the picture; `-` is standard output.
-    #[arg(long, value_name = "FILE")]
-    svg: PathBuf,
-    /// Replace a file that exists.
-    #[arg(long)]
-    force: bool,
-}
-
-/// The things to draw.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Picture {
-    /// The upper hull of a zonotope seen from above: a tile for every two generators.
-    Tiling,
-    /// The lines of the generators, dual to the tiling.
-    Arrangement,
-    /// Every separator of the tiling, a panel each.
-    Separators,
-    /// A search by separators, or by vertical lines, a panel a step.
-    Search,
-    /// The lines of a polygon with the area of its zonogons over their centres.
-    Zonogon,
-    /// A body in motion in the volume around all its placements, or two bodies with the proof that they do not meet.
-    Motion,
-}
-
-/// Three finite coordinates.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct SpacePoint([f64; 3]);
-
-impl FromStr for SpacePoint {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |cell: &str| cell.trim().parse().ok().filter(|number: &f64| number.is_finite());
-        let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-        let point = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
-        point.map(Self).ok_or_else(|| "a point of space is three finite numbers with commas between".to_owned())
-    }
-}
-
-impl fmt::Display for Picture {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Tiling => "tiling",
-            Self::Arrangement => "arrangement",
-            Self::Separators => "separators",
-            Self::Search => "search",
-            Self::Zonogon => "zonogon",
-            Self::Motion => "motion",
-        })
-    }
-}
 
 /// Reads the data and draws them.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
@@ -194,12 +110,6 @@ fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
     Ok((drawn.with_context(|| name.to_owned())?, more))
 }
 
-/// The centre and the generators of a body of space.
-fn in_space(body: &Body) -> Option<([f64; 3], Vec<[f64; 3]>)> {
-    let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
-    Some((space(&body.center)?, body.generators.iter().map(space).collect::<Option<_>>()?))
-}
-
 fn of_points(options: &Options, name: &str) -> anyhow::Result<String> {
     let reading = options.reading.source(&options.file)?.read(Wanted::Any)?;
     if let Some(remarks) = reading.remarks() {
@@ -214,17 +124,4 @@ fn of_points(options: &Options, name: &str) -> anyhow::Result<String> {
         _ => own_data::search_for_center(name, points),
     };
     drawn.with_context(|| name.to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_are_three_numbers() {
-        assert_eq!("1, -2.5,3e2".parse(), Ok(SpacePoint([1.0, -2.5, 300.0])));
-        for wrong in ["", "1,2", "1,2,3,4", "1,2,x", "1,2,inf"] {
-            assert!(wrong.parse::<SpacePoint>().is_err(), "{wrong}");
-        }
-    }
 }

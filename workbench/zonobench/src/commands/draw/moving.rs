@@ -12,7 +12,7 @@ use zonotope::motion::Motion;
 use zonotope::motion::continuous::by_control_points::DEFAULT_RESOLUTION;
 use zonotope::motion::continuous::first_contact_within;
 
-use super::{Options, in_space};
+use super::options::{Options, in_space};
 use crate::commands::asked::BodyFile;
 use crate::commands::placing::{in_words, rounded_in_words};
 use crate::commands::usage::question_name;

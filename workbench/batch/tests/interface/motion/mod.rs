@@ -1,0 +1,4 @@
+//! Questions about bodies that move.
+
+mod moving;
+mod sweeps;
