@@ -11,7 +11,8 @@ work=${1:-$(mktemp -d)}
 mkdir -p "$work"
 
 usable() { python3 -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; }
-usable || { apt-get update && apt-get install -y --no-install-recommends python3 python3-venv; } >"$work/apt.log" 2>&1 || true
+usable ||
+  { apt-get update && apt-get install -y --no-install-recommends python3 python3-venv; } >"$work/apt.log" 2>&1 || true
 if ! usable; then
   printf '\n*** SKIPPED: there is no Python 3.10 with venv, so nobody has tried the package ***\n\n'
   exit 0

@@ -27,5 +27,6 @@ def near_the_boundary(body: zonotope.Zonotope, random: np.random.Generator, m: i
     """Points whose gauge is 1 but for a part in 10^9."""
     points = random.normal(size=(m, body.dimension)) + body.center
     gauges = body.gauge(points)
-    near: NDArray[np.float64] = body.center + (points - body.center) * ((1 + random.normal(size=m) * 1e-9) / gauges)[:, None]
+    factors = (1 + random.normal(size=m) * 1e-9) / gauges
+    near: NDArray[np.float64] = body.center + (points - body.center) * factors[:, None]
     return near

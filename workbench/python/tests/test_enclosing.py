@@ -39,7 +39,8 @@ def test_a_swept_body_contains_every_placement(cube: Zonotope, random: np.random
     motion = Motion(axis=[0, 0, 1], angle=2.0, axis_point=[3, 0, 0], translation=[0, 0, 4])
     swept = motion.swept(cube)
     for phi, s in random.uniform(size=(200, 2)):
-        turn = np.array([[math.cos(2 * phi), -math.sin(2 * phi), 0], [math.sin(2 * phi), math.cos(2 * phi), 0], [0, 0, 1]])
+        sine, cosine = math.sin(2 * phi), math.cos(2 * phi)
+        turn = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
         placed = (cube.vertices() - [3, 0, 0]) @ turn.T + [3, 0, 0] + np.multiply(s, [0, 0, 4])
         assert (swept.gauge(placed) <= 1 + 1e-12).all()
     assert motion.space_time(cube).verify().word != "wrong"

@@ -128,7 +128,11 @@ def test_many_threads_of_python_get_the_same_answers(random: np.random.Generator
     points = near_the_boundary(given, random, 20_000)
     expected = given.locate(points)
     found: list[bool] = []
-    threads = [threading.Thread(target=lambda: found.append(bool((given.locate(points) == expected).all()))) for _ in range(4)]
+
+    def ask() -> None:
+        found.append(bool((given.locate(points) == expected).all()))
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -144,7 +144,8 @@ class Zonotope:
     # Sums and images
 
     def __add__(self, other: Zonotope | ArrayLike) -> Zonotope:
-        """The Minkowski sum with a body, or the body moved by a vector. Encloses it; equal where no centre is rounded."""
+        """The Minkowski sum with a body, or the body moved by a vector. Encloses it; equal where no centre is rounded.
+        """
         if isinstance(other, Zonotope):
             return self._of(self._body.sum(other._body))
         return self._of(self._body.translated(other))
@@ -473,7 +474,8 @@ class Zonotope:
         import numpy as np
 
         if self.dimension != 3:
-            raise _errors.DimensionMismatch(f"meshes are those of bodies of space, this one has {self.dimension} coordinates")
+            message = f"meshes are those of bodies of space, this one has {self.dimension} coordinates"
+            raise _errors.DimensionMismatch(message)
         fans = [
             np.column_stack([np.full(len(face) - 2, face[0]), face[1:-1], face[2:]]).astype(np.int64)
             for face in self.faces()

@@ -37,7 +37,8 @@ def plot(body: Zonotope, ax: Any, options: dict[str, Any]) -> Any:
         style = {"facecolor": _FILL, "alpha": 0.4, "edgecolor": _INK, "linewidths": 0.5, **options}
         ax.add_collection3d(Poly3DCollection([points[face] for face in body.faces()], **style))
         return ax
-    raise _errors.DimensionMismatch(f"bodies of the plane and of space are drawn, this one has {body.dimension} coordinates")
+    message = f"bodies of the plane and of space are drawn, this one has {body.dimension} coordinates"
+    raise _errors.DimensionMismatch(message)
 
 
 def svg(body: Zonotope) -> str | None:
