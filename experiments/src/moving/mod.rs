@@ -31,6 +31,9 @@ const SPEED_ROUNDING: f64 = 1.0 + 1e-12;
 /// The farthest that the second body is moved aside at once: scenes are a few units large.
 const FARTHEST_ASIDE: f64 = 1e3;
 
+/// Draws of a scene, of which the first is taken whose bodies come as near as is asked for.
+const DRAW_LIMIT: u64 = 16;
+
 /// Steps of the search for the place at which the clearance is as it should be.
 const STEP_LIMIT: u32 = 60;
 
@@ -65,21 +68,33 @@ impl MovingBodies {
     /// # Errors
     /// A sentence, where moving the body aside does not part the bodies.
     pub fn at_clearance(family: &MotionFamily, seed: u64, clearance: f64) -> Result<Self, String> {
-        let pair = family.generate(seed);
+        let draws = (0..DRAW_LIMIT).map(|draw| family.generate(seed.wrapping_add(draw << 32)));
+        let mut made = draws.map(|pair| Self::of_pair_at_clearance(family.id, &pair, clearance));
+        let first = made.next().expect("there are several draws");
+        // bodies that pass each other whatever the second one is moved are drawn anew
+        first.or_else(|error| made.find(Result::is_ok).unwrap_or(Err(error)))
+    }
+
+    fn of_pair_at_clearance(family: &str, pair: &MovingPair, clearance: f64) -> Result<Self, String> {
         let distance = |aside: f64| Self::of(&pair.moved_aside(aside)).map(|moving| moving.least_distance());
-        // the distance changes by no more than the body is moved
-        let (mut low, mut step) = (0.0, 1.0);
-        while distance(low)? >= clearance {
-            if step > FARTHEST_ASIDE {
-                return Err(format!("{}: the bodies do not come near by moving one back", family.id));
+        // the distance changes by no more than the body is moved, so a step back of the gap does not pass a contact
+        let mut low = 0.0;
+        let mut gap = distance(low)? - clearance;
+        while gap > 0.0 {
+            if gap <= CLEARANCE_EXCESS * clearance {
+                return Self::of(&pair.moved_aside(low));
             }
-            (low, step) = (low - step, 2.0 * step);
+            if low < -FARTHEST_ASIDE {
+                return Err(format!("{family}: the bodies do not come near by moving one back"));
+            }
+            low -= gap + 0.5 * CLEARANCE_EXCESS * clearance;
+            gap = distance(low)? - clearance;
         }
         let mut high = low + 1.0;
         let mut beyond = distance(high)? - clearance;
         while beyond < 0.0 {
             if high - low > FARTHEST_ASIDE {
-                return Err(format!("{}: the bodies are not parted by moving one aside", family.id));
+                return Err(format!("{family}: the bodies are not parted by moving one aside"));
             }
             (low, high) = (high, high + 2.0 * (high - low));
             beyond = distance(high)? - clearance;
@@ -94,7 +109,7 @@ impl MovingBodies {
             let found = distance(next)? - clearance;
             if found < 0.0 { low = next } else { (high, beyond) = (next, found) }
         }
-        Err(format!("{}: the clearance is not reached", family.id))
+        Err(format!("{family}: the clearance is not reached"))
     }
 
     /// The distance of the bodies at a time, as they are rounded then.

@@ -92,7 +92,7 @@ const BAD: [(&str, &[u8], &[&str]); 14] = [
     ("empty.csv", b"", &["no points"]),
     ("header_only.csv", b"x,y\n", &["no points"]),
     ("binary.csv", b"x,y\n0,0\n\xff\xfe,1\n", &["UTF-8"]),
-    ("one_column.csv", b"1\n2\n3\n", &["--columns"]),
+    ("one_column.csv", b"1\n2\n3\n", &["has 1 column"]),
     ("broken.json", b"[[0,0],[1,", &["line 1", "column"]),
     ("shape.json", b"[[0,0],[1]]", &["[1]"]),
     ("nan.json", b"[[0,0],[\"NaN\",1]]", &["[1]"]),

@@ -59,7 +59,7 @@ fn one_turn_has_no_margin_whichever_body_turns() {
 #[test]
 fn a_turn_that_goes_too_far_is_refused_without_a_margin_as_well() {
     // it begins a quarter of a radian before the direction and goes past it
-    let center = [0.25_f64.cos(), -(0.25_f64.sin()), 0.0];
+    let center = [0.968_912_421_710_644_7, -0.247_403_959_254_522_94, 0.0];
     let points = |gap: f64, angle: f64| {
         let motions = [&turn(Z, angle, ORIGIN), &Motion::Rest];
         told([center, [1.0 + gap, 0.0, 0.0]], &[], motions, MovingDirection::Space(X))

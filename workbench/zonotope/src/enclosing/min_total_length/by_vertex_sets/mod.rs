@@ -6,10 +6,9 @@
 //! every point exactly, its total length (the sum of the half-lengths of its generators), and a lower bound of the
 //! total lengths of all zonotopes around the points. The ratio of the two is always proven. It is at most 1 + ε unless
 //! the search ends before, and [`Outcome`] says whether it is. The search ends before in these cases:
-//! - it has taken its work, which is about half a second around up to a thousand points, and four times as much around
-//!   two thousand and more. In space this happens to precisions below about 0.005 around more than some 150 points on
-//!   the zonotope's boundary, in four dimensions to precisions below about 0.05 around as many; the ratio is that of a
-//!   net of directions then in space, and in four dimensions that of the last step;
+//! - it has taken its work, which is limited by a number of operations, the same for all points and precisions. A small
+//!   precision around hundreds of points on the zonotope's boundary, most of all in four dimensions, takes more; the
+//!   ratio is that of a net of directions then in space, and in four dimensions that of the last step;
 //! - the points are so far from the origin that rounding the centre to doubles costs more than ε;
 //! - ε is below 1e-9, where rounding decides. At ε = 1e-9 this happens to some inputs with points nearer to each other
 //!   than 1e-6 of the body.

@@ -4,8 +4,8 @@
 //! machine. A unit is about a multiplication and an addition of a loop over doubles, of which a processor does some
 //! 10^10 in a second.
 
-/// Limit of the work of a search, which takes some two seconds. A quarter of it would leave the ratio around 200 points
-/// of a sphere above one part in a thousand.
+/// Limit of the work of a search. A quarter of it would leave the ratio around 200 points of a sphere above one part in
+/// a thousand.
 const LIMIT: u64 = 12_000_000_000;
 
 /// The work of a program along a net to which a unit of set generation is equal: it computes roots and sorts, too.
