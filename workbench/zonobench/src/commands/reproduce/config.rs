@@ -304,7 +304,8 @@ mod tests {
         let file = folder.path().join("my.toml");
         fs::write(&file, text).expect("written");
         fs::write(folder.path().join("mine.csv"), "x,y\n0,0\n1,0\n0,1\n").expect("written");
-        fs::write(folder.path().join("mine.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n").expect("written");
+        fs::write(folder.path().join("mine.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+            .expect("written");
         fs::write(folder.path().join("flat.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
         let place = format!("{}: ", file.display());
         Config::read(&file).map_err(|error| error.to_string().replacen(&place, "", 1))

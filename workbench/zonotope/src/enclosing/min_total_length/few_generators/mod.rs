@@ -92,7 +92,7 @@ const LAST_PRECISION: f64 = 1e-14;
 const VOLUME_PRECISION: f64 = 1e-9;
 
 /// Limit of the entries and products of points that the last linear program reads.
-const LAST_WORK_LIMIT: u64 = 1 << 29;
+const LAST_WORK_LIMIT: u64 = 1 << 31;
 
 /// Limit of the entries and products of points that the linear programs of the search for a small volume read.
 const VOLUME_WORK_LIMIT: u64 = 1 << 30;

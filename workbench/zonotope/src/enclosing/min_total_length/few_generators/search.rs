@@ -43,7 +43,7 @@ const PRECISION_SHARE_OF_EPSILON: f64 = 1e-3;
 const PRECISION: f64 = 1e-7;
 
 /// Limit of the entries and products of points that the programs of a search read.
-const WORK_LIMIT: u64 = 1 << 30;
+const WORK_LIMIT: u64 = 1 << 32;
 
 /// The directions move by so many steps after each merger.
 const QUICK_STEPS: usize = 4;
