@@ -14,7 +14,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Two bodies are given by their centres and generators. Do they have a point in common, do they only \
         touch, and what proves it? The polytopes have far more faces than the lists have generators.",
     lesson,
-    pictures: &["certificates-of-intersection", "scaling-collision-operations"],
+    pictures: &["certificates-of-intersection"],
     table: ChapterTable::Values("wrong-answers"),
     method: &[
         "The bodies meet exactly when the difference of their centres lies in the zonotope of all generators \

@@ -15,7 +15,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Given lines aᵢ·x + bᵢ = 0 with weights wᵢ, find the point x of the plane that minimises \
         c·x + Σ wᵢ |aᵢ·x + bᵢ|. The same problem decides whether a point lies in a zonotope of space.",
     lesson,
-    pictures: &["search-of-theorem-4-5", "scaling-kernel-operations"],
+    pictures: &["search-of-theorem-4-5"],
     table: ChapterTable::Growth,
     method: &[
         "The paper's search keeps a vertical slab that holds the optimum. Slope selection finds the median crossing \

@@ -16,7 +16,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         −1 and 1, for a centre c and generators gᵢ. Given points of the plane, which zonogon of least area contains \
         them all?",
     lesson,
-    pictures: &["country-outlines", "arrangement-and-level-sets"],
+    pictures: &["country-outlines"],
     table: ChapterTable::Growth,
     method: &[
         "Once the centre O is chosen, the answer is plain: reflect the points through O and take the convex hull \

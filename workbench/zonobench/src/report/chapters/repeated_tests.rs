@@ -13,7 +13,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Two bodies move, and at every moment it is asked whether they meet, or how far apart they are. What is \
         worth building once, so that a question need not read all generators?",
     lesson,
-    pictures: &["tracked-features", "coherence"],
+    pictures: &["coherence"],
     table: ChapterTable::Growth,
     method: &[
         "Space for time: a cutting of the dual lines has trapezoids that few lines cross. A query finds its trapezoid \
