@@ -112,7 +112,7 @@ pub fn markdown(results: &[ClaimResult], origin: &str) -> String {
     }
     page.push_str(&format!(
         "\nA correction or note says what to read instead, and is counted beside the statement that it is about; a \
-         remark on a\nstatement that holds says what more there is to know. {origin}\n\n"
+         remark on a\nstatement that holds says what more there is to know.\n{origin}\n\n"
     ));
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");
