@@ -40,11 +40,14 @@ fn bodies_in_motion_are_drawn_with_the_proof() {
     };
     let turn = ["--axis", "0,0,1", "--angle", "3"];
     let apart = drawn(&[&["bar.json", "cube.json", "--move-b", "0,6,0"][..], &turn].concat());
-    assert!(apart.contains("bar and cube in motion") && apart.contains("Disjoint during the whole step"), "{apart}");
+    assert!(
+        apart.contains("bar.json and cube.json in motion") && apart.contains("Disjoint during the whole step"),
+        "{apart}"
+    );
     let met = drawn(&[&["bar.json", "cube.json", "--move-b", "0,3,0"][..], &turn].concat());
     assert!(met.contains("The bodies meet at the time") && met.contains(">contact<"), "{met}");
     let alone = drawn(&[&["bar.json"][..], &turn].concat());
-    assert!(alone.contains("A volume around bar in motion") && alone.contains("volume around every placement"));
+    assert!(alone.contains("A volume around bar.json in motion") && alone.contains("volume around every placement"));
     assert_ne!(alone, drawn(&["bar.json", "--translation", "0,0,2"]));
 }
 
