@@ -23,7 +23,6 @@ pub static CLAIM: Claim = Claim {
     figures: &["control-zonotopes"],
     check: Check::Run(check),
     tried: Tried::On(&["random bodies", "degenerate bodies"]),
-    ..Claim::LISTED
 };
 
 /// Integer generators and targets: the library's decision against the normals of all triples.

@@ -21,7 +21,6 @@ pub static CLAIM: Claim = Claim {
     figures: &["swept-volumes", "motion-time-bar", "control-zonotopes"],
     check: Check::Run(check),
     tried: Tried::Witness,
-    ..Claim::LISTED
 };
 
 /// The number of times that the step is halved.

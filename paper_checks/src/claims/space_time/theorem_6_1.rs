@@ -25,7 +25,6 @@ pub static CLAIM: Claim = Claim {
     figures: &["paper-figure-3", "swept-volumes"],
     check: Check::Run(check),
     tried: Tried::Growth(&["random bodies"]),
-    ..Claim::LISTED
 };
 
 /// Every placement of a grid of angles and translations lies in the library's volume, by exact normals; operations fit

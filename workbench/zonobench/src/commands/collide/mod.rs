@@ -78,6 +78,6 @@ mod tests {
         let hint = |angle: f64| of_several_turns(&json!({"angle": angle}));
         let told = "the angle 90.0 is in radians, 14.3239 full turns; 90.0 degrees are 1.5707963267948966 radians";
         assert_eq!(hint(90.0).as_deref(), Some(told));
-        assert!(hint(-7.0).is_some() && hint(6.28).is_none() && of_several_turns(&json!(null)).is_none());
+        assert!(hint(-7.0).is_some() && hint(6.25).is_none() && of_several_turns(&json!(null)).is_none());
     }
 }

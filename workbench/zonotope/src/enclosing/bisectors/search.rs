@@ -159,8 +159,8 @@ mod tests {
         assert_eq!(farthest_vertices(&hull, &mut ()), farthest);
         let bisectors = Bisectors::new(&hull, farthest);
         let cells = bisectors.search_by_pruning(12, 1);
-        let of_all = cells.iter().filter(|cell| cell.lines.len() == hull.edge_count());
-        let last = of_all.last().expect("so many lines are pruned");
+        let mut of_all = cells.iter().filter(|cell| cell.lines.len() == hull.edge_count());
+        let last = of_all.next_back().expect("so many lines are pruned");
         assert!(last.crossing.len() < hull.edge_count());
         assert!(last.crossing.iter().all(|line| last.lines.contains(line)));
         let center = best.exact_center().map(|c| c.to_f64().value());
