@@ -110,7 +110,9 @@ impl<'a> Scene<'a> {
         // a bound that is infinite or NaN says nothing, and neither does a margin beyond the doubles
         let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
         let margins = self.margins(times);
-        if bound.iter().any(is_refuted) || !margin::along(&margins, direction).is_finite() {
+        let is_finite_margin = |m: &Margin| m.distance.is_finite() && m.axis.iter().all(|c| c.is_finite());
+        let are_finite = margins.iter().all(is_finite_margin) && margin::along(&margins, direction).is_finite();
+        if bound.iter().any(is_refuted) || !are_finite {
             return false;
         }
         tally.add(Operation::ExactFallback, 1);
