@@ -9,7 +9,7 @@ pub(crate) struct Drawn<const D: usize> {
     pub(crate) vertices: Vec<[f64; D]>,
     /// The vertices of all facets, one facet after the other, each in order around it.
     pub(crate) corners: Vec<u32>,
-    /// Where the corners of each facet begin, and where those of the last one end.
+    /// The places at which the corners of each facet begin, and that at which those of the last one end.
     pub(crate) starts: Vec<u32>,
 }
 

@@ -81,7 +81,7 @@ impl Body {
         of_any!(&self.0, body => extreme_points(body, directions))
     }
 
-    /// How two bodies meet, the second under a pose of 12 numbers, matrix and translation, if one is given.
+    /// The way in which two bodies meet, the second under a pose of 12 numbers, matrix and translation, if given.
     fn meets(&self, py: Python<'_>, other: &Self, pose: Option<[f64; 12]>) -> PyResult<i8> {
         if let Some(pose) = pose {
             let (Any::Three(a), Any::Three(b)) = (&self.0, &other.0) else {

@@ -12,7 +12,7 @@ use crate::border::{error, outside};
 
 #[pymethods]
 impl Body {
-    /// How two bodies meet in each frame, under poses of shape (m, 4, 4).
+    /// The way in which two bodies meet in each frame, under poses of shape (m, 4, 4).
     fn track<'py>(
         &self,
         py: Python<'py>,

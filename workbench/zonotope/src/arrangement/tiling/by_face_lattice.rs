@@ -30,7 +30,7 @@
 //! `body`: n × 3, any order, duplicates allowed. The vertices are those of the body where it stands.
 //!
 //! # Numerics
-//! What is a facet of the upper hull, the order of tiles and the direction of edges are exact; vertices and dual
+//! The facets of the upper hull, the order of tiles and the direction of edges are exact; vertices and dual
 //! vertices are rounded, the latter within a relative 2^-50.
 //!
 //! # Errors

@@ -16,7 +16,7 @@ use crate::numeric::scaling::scale_by_power_of_two;
 pub struct Candidate {
     /// Two lines that meet there, by the edges of the hull, the lower one first.
     pub lines: [usize; 2],
-    /// Where it is, each coordinate within a relative 2^-50.
+    /// The place, each coordinate within a relative 2^-50.
     pub point: [f64; 2],
     homogeneous: [Dyadic; 3],
 }
