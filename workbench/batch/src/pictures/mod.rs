@@ -8,9 +8,11 @@ mod lines_of_hull;
 mod picture;
 mod plane;
 mod searches;
+mod sheet;
 mod space;
 
 pub use picture::Picture;
+pub(crate) use sheet::{Part, Sheet, Table, Width, index};
 
 /// Every picture.
 pub static PICTURES: &[Picture] = &[
