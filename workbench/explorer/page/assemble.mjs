@@ -13,7 +13,8 @@ const text = (name) => readFileSync(here(name), "utf8");
 
 function packed(bytes) {
   const letters = toLetters(new Uint8Array(compress(bytes, 9)));
-  if (Buffer.compare(unpackedLzma(fromLetters(letters)), bytes) !== 0) throw new Error("what was packed is not unpacked");
+  if (Buffer.compare(unpackedLzma(fromLetters(letters)), bytes) !== 0)
+    throw new Error("what was packed is not unpacked");
   return letters;
 }
 

@@ -7,6 +7,7 @@
 mod lines_of_hull;
 mod picture;
 mod plane;
+mod prepared;
 mod searches;
 mod sheet;
 mod space;
@@ -26,4 +27,7 @@ pub static PICTURES: &[Picture] = &[
     space::TILING,
     space::PLANE_OF_DIRECTIONS,
     searches::THEOREM_5_2,
+    prepared::CUTTING,
+    prepared::DIRECTION_TREE,
+    prepared::HIERARCHY,
 ];

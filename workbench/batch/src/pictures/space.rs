@@ -32,7 +32,7 @@ pub(super) const FACES: Picture = Picture {
     },
 };
 
-fn refuse_many(body: &Zonotope<3>) -> Result<(), Refusal> {
+pub(super) fn refuse_many(body: &Zonotope<3>) -> Result<(), Refusal> {
     let count = body.generators().len();
     if count <= LISTED_GENERATOR_LIMIT {
         return Ok(());

@@ -133,6 +133,63 @@ fn what_is_no_picture_is_refused_like_a_question() {
     assert_eq!(refusal(&by_method).0.as_deref(), Some("unknown_method"));
 }
 
+#[test]
+fn each_corner_of_a_tile_lies_in_a_trapezoid_of_a_cutting() {
+    for generators in bodies() {
+        let tiling = drawn("tiling", &json!({"generators": generators}));
+        let tiles = tiling["tiles"].as_array().expect("a list");
+        for r in [1, 2, 4] {
+            let cutting = drawn("cutting", &json!({"generators": generators, "r": r}));
+            let count = cutting["trapezoids"].as_array().map_or(0, Vec::len);
+            let images = cutting["images"].as_array().expect("a list");
+            assert_eq!(images.len(), tiles.len(), "{generators:?}");
+            for (image, tile) in images.iter().zip(tiles) {
+                let image = image.as_array().expect("a list");
+                assert_eq!(image.len(), 2 * tile["classes"].as_array().map_or(0, Vec::len), "{generators:?}");
+                let is_one = |place: &Value| place.as_u64().is_some_and(|place| (place as usize) < count);
+                assert!(image.iter().all(is_one), "{generators:?}");
+            }
+            if r == 1 && !tiles.is_empty() {
+                assert_eq!(count, 1, "all lines may cross one cell: {generators:?}");
+                assert_eq!(cutting["trapezoids"][0].as_array().map(Vec::len), Some(4), "the whole window");
+            }
+        }
+    }
+    let refused = json!({"id": "q", "kind": "cutting", "input": {"generators": [], "r": 0}});
+    assert!(picture(&refused.to_string()).contains("bad_input"));
+}
+
+#[test]
+fn each_generator_is_in_one_leaf_of_the_tree() {
+    let many: Vec<[f64; 3]> =
+        (0..200_i32).map(|i| [f64::from(i % 7 - 3), f64::from(i % 11), f64::from(i) - 90.0]).collect();
+    for generators in bodies().into_iter().chain([many]) {
+        let tree = drawn("direction_tree", &json!({"generators": generators}));
+        let leaves = tree["leaves"].as_array().expect("a list").iter();
+        let mut found: Vec<u64> =
+            leaves.flat_map(|leaf| leaf.as_array().expect("a list").iter().filter_map(Value::as_u64)).collect();
+        found.sort_unstable();
+        let nonzero = (0..generators.len()).filter(|&index| generators[index] != [0.0; 3]).map(|index| index as u64);
+        assert_eq!(found, nonzero.collect::<Vec<_>>(), "{generators:?}");
+    }
+}
+
+#[test]
+fn a_hierarchy_ends_with_the_body_and_decides_as_the_kind_does() {
+    for generators in bodies() {
+        for at in [[0.5, 0.25, 0.5], [9.0, 1.0, -2.0]] {
+            let [a, b] = [[0.0; 3], at].map(|center| json!({"center": center, "generators": generators}));
+            let input = json!({"a": a, "b": b});
+            let descent = drawn("hierarchy", &input);
+            assert_eq!(descent["status"], solved("intersect", &input)["status"], "{input}");
+            let levels = descent["a"].as_array().expect("a list");
+            let finest = &levels[levels.len() - 1];
+            assert_eq!(finest["generators"].as_array().map(Vec::len), Some(generators.len()), "{input}");
+            assert!(descent["levels"][0].as_u64().is_some_and(|level| (level as usize) < levels.len()), "{input}");
+        }
+    }
+}
+
 /// The data of an answer in columns, put together again.
 fn folded(bytes: &[u8]) -> Value {
     let end = bytes.iter().position(|&byte| byte == b'\n').expect("a line comes first") + 1;

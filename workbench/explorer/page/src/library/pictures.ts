@@ -4,7 +4,7 @@ import type { Question } from "../engine/questions";
 import type { AnyNumber, Body, Status, Vec2, Vec3 } from "./shapes";
 
 function picture<Result>(kind: string, input: unknown): Question<Result> {
-  return { entry: "picture", kind, input };
+  return { entry: "columns", kind, input };
 }
 
 export interface CenteredZonogon {

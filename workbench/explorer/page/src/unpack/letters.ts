@@ -11,7 +11,8 @@ const FURTHER = 256;
 export function toLetters(bytes: Uint8Array): string {
   const letters: string[] = [];
   let [held, bits] = [0, 0];
-  const put = (seven: number) => letters.push(String.fromCharCode(seven === 0 || seven === 13 ? seven + FURTHER : seven));
+  const put = (seven: number) =>
+    letters.push(String.fromCharCode(seven === 0 || seven === 13 ? seven + FURTHER : seven));
   for (const byte of bytes) {
     held = (held << 8) | byte;
     bits += 8;

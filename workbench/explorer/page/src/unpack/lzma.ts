@@ -113,7 +113,7 @@ export function unpackedLzma(packed: Uint8Array): Uint8Array<ArrayBuffer> {
   const header = new DataView(packed.buffer, packed.byteOffset, HEADER);
   const parameters = header.getUint8(0);
   const contextBits = parameters % 9;
-  const literalPositions = (1 << (Math.floor(parameters / 9) % 5)) - 1;
+  const literalPositions = (1 << Math.floor(parameters / 9) % 5) - 1;
   const positions = (1 << Math.floor(parameters / 45)) - 1;
   const content = new Uint8Array(header.getUint32(5, true));
   const models = new Uint16Array(LITERALS + (LITERAL << contextBits) * (literalPositions + 1)).fill(ONE >> 1);
