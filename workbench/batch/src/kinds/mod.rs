@@ -8,6 +8,7 @@ mod motion;
 
 use serde_json::Value;
 
+pub use collision::held::HeldBody;
 pub use enclosing::min_area::result as min_area_result;
 pub use motion::read_motion;
 
