@@ -4,6 +4,7 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
+mod meshes;
 mod motion;
 
 use serde_json::Value;
@@ -51,6 +52,7 @@ pub static KINDS: &[Kind] = &[
     collision::gauge::KIND,
     collision::distance::KIND,
     motion::collide::KIND,
+    meshes::mesh::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,
