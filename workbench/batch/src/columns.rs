@@ -1,5 +1,5 @@
-//! Answers for a host that shares memory with the library and asks while somebody drags: numbers are not written as text,
-//! and a body is not read anew.
+//! Answers for a host that shares memory with the library and asks while somebody drags: numbers are not written as
+//! text, and a body is not read anew.
 
 use serde_json::{Map, Value, json};
 

@@ -6,8 +6,8 @@
 //! read the JSON already.
 //!
 //! [`picture`] makes data to draw, which is no claim and has no check: one row of [`PICTURES`] each.
-//! [`picture_in_columns`] makes the same without writing numbers as text, and a [`HeldBody`] is read once and asked about
-//! many points, for a host that draws while somebody drags.
+//! [`picture_in_columns`] makes the same without writing numbers as text, and a [`HeldBody`] is read once and asked
+//! about many points, for a host that draws while somebody drags.
 //!
 //! Reasons to refuse a question are looked for in this order: a line that is too long or is not JSON; a number that
 //! is not finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of

@@ -1,5 +1,5 @@
-//! Pictures of what is prepared for many questions: a cutting with its image in the tiling, the tree over directions, the
-//! hierarchy.
+//! Pictures of what is prepared for many questions: a cutting with its image in the tiling, the tree over directions,
+//! the hierarchy.
 
 use std::num::NonZeroU32;
 

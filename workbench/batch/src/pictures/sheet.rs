@@ -1,5 +1,5 @@
-//! The data of a picture: JSON with tables in it. A table is written as JSON for those who read lines, or as the bytes of
-//! its numbers for a host that shares memory with the library and draws while somebody drags.
+//! The data of a picture: JSON with tables in it. A table is written as JSON for those who read lines, or as the bytes
+//! of its numbers for a host that shares memory with the library and draws while somebody drags.
 
 use serde_json::{Map, Value, json};
 
@@ -119,7 +119,7 @@ pub(crate) fn index(index: usize) -> u32 {
 /// A sheet whose lists of numbers are apart.
 #[derive(Debug, Default)]
 pub(crate) struct Unfolded {
-    /// What is no table.
+    /// The parts that are no table.
     pub(crate) plain: Map<String, Value>,
     /// The place of each table, its width, and the types and counts of its columns.
     pub(crate) tables: Vec<Value>,

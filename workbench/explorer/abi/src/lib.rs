@@ -89,7 +89,7 @@ pub extern "C" fn locate(x: f64, y: f64, z: f64) -> usize {
     }))
 }
 
-/// Goes through the steps of the rival for a point and the body that is held; returns the length of their text in bytes.
+/// Goes through the steps of the rival for a point and the body that is held; returns the bytes of their text.
 #[unsafe(no_mangle)]
 pub extern "C" fn rival(x: f64, y: f64, z: f64) -> usize {
     leave(HELD.with_borrow(|held| held.as_ref().map_or_else(String::new, |body| rival::steps(body.body(), [x, y, z]))))

@@ -71,9 +71,12 @@ export class Opened {
     await this.rest();
   }
 
-  /** Waits until nothing is drawn any more and the worker has answered. */
+  /**
+   * Waits until nothing is drawn any more and the worker has answered. The page gets clicks and keys before its next
+   * frame, however long that takes; after two frames it is busy with what they asked for, or has done it.
+   */
   async rest() {
-    await this.page.waitForTimeout(60);
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
   }
 

@@ -8,6 +8,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::asked::{SWEEP_FIELDS, float, floats, value_of};
+use super::placing::radians_of;
 use super::table::{figure, tuple};
 use super::usage::tell;
 use crate::input::PoseDocument;
@@ -20,17 +21,20 @@ pub(super) struct MotionOptions {
     ///
     /// The file has `axis_point`, `axis`, `angle` in radians and `translation`, for a turn at constant rate, or a list
     /// `pieces`, each with `until`, two quaternions `from` and `to`, `axis_point` and `translation`.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["axis", "axis_point", "angle", "translation"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["axis", "axis_point", "angle", "degrees", "translation"])]
     motion: Option<PathBuf>,
     /// Turn the body, the first of two, about an axis of this direction.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "angle")]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "turned")]
     axis: Option<Triple>,
     /// Lead the axis through this point: the origin if absent.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "axis")]
     axis_point: Option<Triple>,
     /// Turn by this angle in radians, of any number of turns.
-    #[arg(long, value_name = "RADIANS", allow_hyphen_values = true, requires = "axis")]
+    #[arg(long, value_name = "RADIANS", allow_hyphen_values = true, requires = "axis", group = "turned")]
     angle: Option<f64>,
+    /// Turn by this angle in degrees, which is taken in radians, rounded.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "axis", group = "turned")]
+    degrees: Option<f64>,
     /// Move the body, the first of two, along this vector while it turns, if it does.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     translation: Option<Triple>,
@@ -60,6 +64,11 @@ impl MotionOptions {
     /// Whether a motion is given.
     pub(super) fn is_given(&self) -> bool {
         self.motion.is_some() || self.axis.is_some() || self.translation.is_some()
+    }
+
+    /// Whether the angle is given in degrees.
+    pub(super) fn is_in_degrees(&self) -> bool {
+        self.degrees.is_some()
     }
 
     /// The motion as a question of two moving bodies has it.
@@ -104,7 +113,8 @@ impl MotionOptions {
     /// The turn that options state.
     fn turn(&self) -> Option<Value> {
         let vector = |triple: Option<Triple>| vector_to_json(&triple.map_or([0.0; 3], |triple| triple.0));
-        self.axis.zip(self.angle).map(|(axis, angle)| {
+        let angle = self.angle.or(self.degrees.map(radians_of));
+        self.axis.zip(angle).map(|(axis, angle)| {
             json!({
                 "axis_point": vector(self.axis_point), "axis": vector(Some(axis)), "angle": angle,
                 "translation": vector(self.translation),

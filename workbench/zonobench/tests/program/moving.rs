@@ -22,6 +22,8 @@ fn a_bar_that_turns_beside_a_cube() {
         outcome.stdout
     };
     let turned = ["--axis", "0,0,1", "--angle", "1.5707963267948966"];
+    let in_degrees = ["--axis", "0,0,1", "--degrees", "90"];
+    assert_eq!(collide(&turned), collide(&in_degrees), "one angle in two units");
     for options in [&["--motion", "quarter.json"][..], &turned] {
         let met = collide(options);
         assert!(met.contains("answer        a and b meet, and are disjoint before\n"), "{met}");
@@ -88,6 +90,14 @@ fn a_bar_that_sweeps() {
         serde_json::from_str(&fs::read_to_string(folder.join(name)).expect("written")).expect("JSON")
     };
     assert_eq!(read("moved.json")["result"]["center"], serde_json::json!([0.0, 0.0, 1.0]), "half of the translation");
+
+    let [in_radians, in_degrees] = [["--angle", "-1.5707963267948966"], ["--degrees", "-90"]]
+        .map(|angle| sweep(&[&["--axis", "0,0,1"], &angle[..]].concat()));
+    assert_eq!((in_radians.stdout, in_radians.status), (in_degrees.stdout, 0), "one angle in two units");
+    // many turns in radians earn a hint, and in degrees they do not
+    let turns =
+        |angle: [&str; 2]| run(folder, &[&["collide", "bar.json", "bar.json", "--axis", "0,0,1"], &angle[..]].concat());
+    assert!(turns(["--angle", "720"]).stderr.contains("in radians") && turns(["--degrees", "720"]).stderr.is_empty());
 
     // a negative angle, the opposite axis and the file are one motion
     let by_options = ["--axis", "0,0,1", "--angle", "-0.5", "--translation", "0,0,2", "--json", "options.json"];

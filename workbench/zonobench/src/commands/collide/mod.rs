@@ -13,6 +13,7 @@ pub(super) use self::step::Step;
 
 use super::Ending;
 use super::asked::{About, Asked, check_dimensions, record};
+use super::placing::radians_of;
 use super::table::{figure, in_full};
 use super::usage::{check_inputs, check_names, question_name, tell};
 use crate::input::{OptionNames, Placed};
@@ -40,7 +41,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let bodies = files.map(|file| file.placed);
     check_dimensions(names, &bodies)?;
     let motion = options.step.motion()?;
-    ["a", "b"].iter().filter_map(|body| of_several_turns(&motion[body])).for_each(|hint| tell(&hint));
+    let in_radians = if options.step.is_in_degrees() { &["b"][..] } else { &["a", "b"] };
+    in_radians.iter().filter_map(|body| of_several_turns(&motion[body])).for_each(|hint| tell(&hint));
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = bodies.each_ref().map(Placed::question);
     let mut question = About::Collide.question(&name, &questions, None, None);
@@ -65,7 +67,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
 /// The hint for an angle of more than a full turn, which may be meant in degrees.
 fn of_several_turns(motion: &Value) -> Option<String> {
     let angle = motion["angle"].as_f64().filter(|angle| angle.abs() > TAU)?;
-    let (shown, turns, radians) = (in_full(angle), figure(angle.abs() / TAU), in_full(angle.to_radians()));
+    let (shown, turns, radians) = (in_full(angle), figure(angle.abs() / TAU), in_full(radians_of(angle)));
     Some(format!("the angle {shown} is in radians, {turns} full turns; {shown} degrees are {radians} radians"))
 }
 

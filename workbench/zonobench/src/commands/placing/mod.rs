@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 use clap::Args;
 
-pub(super) use self::motion::{Shift, Turn};
+pub(super) use self::motion::{Shift, Turn, radians_of};
 use super::asked::{BodyFile, body_formats};
 use super::table::{ROUNDED, Table, counted, figure, in_full, position};
 use super::usage::tell;

@@ -4,8 +4,8 @@ use super::trapezoid::{Trapezoid, Wall};
 use crate::arrangement::{LineArrangement, LineIndex};
 
 impl Trapezoid {
-    /// The corners of the part in the window from `low` to `high`, counter-clockwise; none where the trapezoid lies beside
-    /// the window. `lines` are those of the cutting.
+    /// The corners of the part in the window from `low` to `high`, counter-clockwise; none where the trapezoid lies
+    /// beside the window. `lines` are those of the cutting.
     pub fn outline(&self, lines: &LineArrangement<'_>, [low, high]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let mut corners = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
         let abscissa = |wall: &Wall| match wall {

@@ -17,7 +17,7 @@ export function cuttingFigure(control: Control<State>): Figure<State, Answers> {
   const plane = new PlaneView("The cutting of the arrangement", LAYERS, {}, redraw);
   const floor = new PlaneView("Its image in the tiling", LAYERS, {}, redraw);
   return {
-    element: html("div", { class: "pair" }, plane.element, floor.element),
+    element: html("div", { class: "two-views" }, plane.element, floor.element),
     svg: () => standalone(plane.svg),
     draw(_, { cut }) {
       if (!cut) {
