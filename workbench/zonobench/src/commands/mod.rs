@@ -14,6 +14,7 @@ pub mod hausdorff;
 pub mod inspect;
 pub mod intersect;
 pub mod list;
+pub mod mesh;
 mod mesh_files;
 mod motion;
 mod page;

@@ -1,7 +1,8 @@
-//! All pairs of triangles of two meshes that meet, by looking at every pair.
+//! All pairs of triangles of two meshes that meet, and their distance, by looking at every pair.
 //!
 //! # Statement
-//! Input: two meshes under poses. Output: the pairs of triangles with a common point, closed, in increasing order.
+//! Input: two meshes under poses. Output: the pairs of triangles with a common point, closed, in increasing order;
+//! the square of the distance of the meshes.
 //!
 //! # Source
 //! No part of the paper: the truth that hierarchies are held to.
@@ -33,6 +34,7 @@
 
 use super::mesh::PlacedMesh;
 use super::triangles;
+use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
 
@@ -49,6 +51,16 @@ pub fn all_pairs<'a>(a: impl Into<PlacedMesh<'a>>, b: impl Into<PlacedMesh<'a>>)
     };
     let (rows, columns) = (a.len(), b.len());
     (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).filter_map(|(i, j)| pair(i, j)).collect()
+}
+
+/// The square of the distance of two meshes; 0 where they meet.
+pub fn square_of_distance<'a>(a: impl Into<PlacedMesh<'a>>, b: impl Into<PlacedMesh<'a>>) -> Rational {
+    let [a, b] = [a.into(), b.into()].map(|placed| {
+        let corners = (0..placed.mesh().triangles().len()).map(|triangle| placed.exact_corners(triangle));
+        corners.collect::<Vec<_>>()
+    });
+    let squares = a.iter().flat_map(|a| b.iter().map(|b| triangles::brute_force::square_of_distance(a, b)));
+    squares.min().expect("meshes have triangles")
 }
 
 /// The extents of three points along the axes.

@@ -32,7 +32,6 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
 
     /// A volume of the same shape around points that have moved.
     fn refitted(&self, points: &[[f64; 3]]) -> Self {
-        let _ = self;
         Self::around(points, 0)
     }
 

@@ -144,6 +144,22 @@ impl Placing {
     }
 }
 
+/// The placement by a turn and then a move; none where neither is given.
+pub(super) fn put(
+    dimension: usize,
+    turn: Option<&Turn>,
+    shift: Option<&Shift>,
+    options: OptionNames,
+) -> anyhow::Result<Option<Placement>> {
+    let turned = turn.map(|turn| turn.placement(dimension, options)).transpose()?;
+    let moved = shift.map(|shift| shift.placement(dimension, options.shift)).transpose()?;
+    // a move after a turn is the translation of the turned body
+    Ok(match (turned, moved) {
+        (Some(turned), Some(moved)) => Placement::new(turned.matrix().to_vec(), moved.translation().to_vec()),
+        (turned, moved) => turned.or(moved),
+    })
+}
+
 /// The pose in words, with the exact numbers that are taken.
 pub(super) fn in_words(pose: &Placement) -> String {
     let in_full = |vector: &[f64]| format!("({})", vector.iter().map(|&x| in_full(x)).collect::<Vec<_>>().join(", "));

@@ -25,7 +25,7 @@
 //! Bounds are rounded down and up; the square is exact.
 //!
 //! # Checked by
-//! Each other, and distances worked out by hand.
+//! [`brute_force`](super::brute_force), and each other.
 //!
 //! # Example
 //! ```
@@ -239,6 +239,8 @@ mod tests {
             let [lower, upper] = bounds(&a, &b, 2.0, 0.0);
             prop_assert!(lower <= distance * (1.0 + 1e-15) && distance * (1.0 - 1e-15) <= upper);
             prop_assert!(upper - lower <= 1e-9 * upper, "{} {}", lower, upper);
+            let truth = super::super::brute_force::square_of_distance(&exact_a, &exact_b);
+            prop_assert_eq!(square.numerator.to_rational() / square.denominator.to_rational(), truth);
         }
     }
 }
