@@ -122,6 +122,7 @@
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
 
 pub mod arrangement;
+pub mod bvh;
 pub mod collision;
 pub mod enclosing;
 pub mod hull;

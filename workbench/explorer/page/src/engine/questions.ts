@@ -2,8 +2,8 @@
 
 /** A question; the type of its answer's result goes with it. */
 export interface Question<Result> {
-  /** The entry of the module that answers: a question of `solve`, or one for a picture. */
-  readonly entry: "answer" | "picture";
+  /** The entry of the module that answers: a question of `solve`, or one for a picture, whose tables come as bytes. */
+  readonly entry: "answer" | "columns";
   readonly kind: string;
   readonly input: unknown;
   readonly method?: string;
@@ -60,10 +60,16 @@ function written(value: unknown): string {
   return `{${fields.map(([name, field]) => `${JSON.stringify(name)}:${written(field)}`).join(",")}}`;
 }
 
+/** Throws the refusal that is the answer in a line of JSON. */
+export function refuse(answer: string): never {
+  const { error } = JSON.parse(answer) as { error?: { code: string; message: string } };
+  throw new Refusal(error?.code ?? "", error?.message ?? "no reason is told");
+}
+
 /** The answer in a line of JSON. */
 export function readAnswer<Result>(question: string, answer: string): Answer<Result> {
-  const read = JSON.parse(answer) as { result?: Result; error?: { code: string; message: string } };
-  if (read.error) throw new Refusal(read.error.code, read.error.message);
+  const read = JSON.parse(answer) as { result?: Result; error?: object };
+  if (read.error) refuse(answer);
   return { result: read.result as Result, question, answer };
 }
 
