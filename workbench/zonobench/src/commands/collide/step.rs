@@ -44,11 +44,6 @@ impl Step {
         if is_moving { Ok(()) } else { Err(Usage::not_applicable("--motion", "no motion of either body is given")) }
     }
 
-    /// Whether the angle of the first body is given in degrees.
-    pub(in crate::commands) fn is_in_degrees(&self) -> bool {
-        self.of_a.is_in_degrees()
-    }
-
     /// The motions as a question has them.
     pub(in crate::commands) fn motion(&self) -> anyhow::Result<Value> {
         let mut motions = json!({});
