@@ -1,6 +1,9 @@
 //! A body alone, as notebooks show it: a zonogon, or a zonohedron with hidden sides dotted.
 //!
-//! A body is moved to the origin and scaled by a power of two, so that its picture depends on its shape alone.
+//! A body is moved to the origin and scaled by a power of two, so that its picture depends on its shape alone. A [`group`]
+//! is several bodies, or bodies with points.
+
+pub mod group;
 
 use zonotope::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use zonotope::zonotope::Zonotope;

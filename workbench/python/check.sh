@@ -4,33 +4,42 @@
 #     bash workbench/python/check.sh [FOLDER]
 #
 # It needs Rust and Python 3.10 or newer with its module `venv`; on Debian it installs these two where they are missing.
-# Without them it says SKIPPED, loudly, and succeeds.
+# Without them it says SKIPPED, loudly, and succeeds; so it does of every test that did not run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=${1:-$(mktemp -d)}
 mkdir -p "$work"
+skipped() { printf '\n*** SKIPPED: %s ***\n\n' "$1"; }
 
 usable() { python3 -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; }
 usable ||
   { apt-get update && apt-get install -y --no-install-recommends python3 python3-venv; } >"$work/apt.log" 2>&1 || true
 if ! usable; then
-  printf '\n*** SKIPPED: there is no Python 3.10 with venv, so nobody has tried the package ***\n\n'
+  skipped 'there is no Python 3.10 with venv, so nobody has tried the package'
   exit 0
 fi
 
 python3 -m venv "$work/environment"
 python=$work/environment/bin/python
 pip=("$python" -m pip --disable-pip-version-check --quiet)
+rm -rf "$work/wheel"
 began=$SECONDS
 "${pip[@]}" wheel --no-deps --wheel-dir "$work/wheel" "$here"
 wheel=$(echo "$work"/wheel/zonotope-*.whl)
-printf 'the wheel: %s bytes, built in %s s\n' "$(stat -c %s "$wheel")" "$((SECONDS - began))"
-"${pip[@]}" install "$wheel" ipykernel matplotlib mypy nbclient nbformat pytest scipy
+size=$(stat -c %s "$wheel")
+printf 'the wheel: %s bytes, built in %s s\n' "$size" "$((SECONDS - began))"
+[ "$size" -le 6000000 ] || { echo 'the wheel is larger than 6 MB'; exit 1; }
+"${pip[@]}" install --force-reinstall --no-deps "$wheel"
+"${pip[@]}" install numpy ipykernel matplotlib mypy nbclient nbformat pytest scipy
+"${pip[@]}" install --only-binary :all: zonoopt || skipped 'there is no wheel of ZonoOpt for this Python'
 
 # The tests run beside the installed package, not beside its sources.
-cp -r "$here/tests" "$here/tour.ipynb" "$here/pyproject.toml" "$work"
+cp -r "$here/tests" "$here/tour.ipynb" "$here/README.md" "$here/pyproject.toml" "$work"
 cd "$work"
 export MPLBACKEND=Agg GOLDENS=$here/../../tests/goldens README=$here/../../README.md
-"$python" -m pytest --quiet tests
-"$python" -m pytest --quiet --pyargs zonotope
+"$python" -m pytest --quiet -rs tests | tee tests.log
+"$python" -m pytest --quiet -rs --pyargs zonotope | tee doctests.log
 "$python" -m mypy --strict tests
+for reason in $(grep -c '^SKIPPED' tests.log doctests.log); do
+  [ "${reason##*:}" = 0 ] || skipped "${reason##*:} places in ${reason%%:*}, for the reasons above"
+done

@@ -5,7 +5,7 @@ mod asked;
 mod seen;
 mod tracked;
 
-pub(crate) use asked::{answered, sign};
+pub(crate) use asked::{answered, pose_of, sign};
 
 use numpy::{PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;

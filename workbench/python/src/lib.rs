@@ -13,6 +13,7 @@ mod line;
 mod many;
 mod picture;
 mod prepared;
+mod tracker;
 
 use pyo3::prelude::*;
 
@@ -26,7 +27,9 @@ mod _zonotope {
     #[pymodule_export]
     use super::line::{solve, verify};
     #[pymodule_export]
-    use super::picture::svg;
+    use super::picture::{svg, svg_around, svg_pair};
     #[pymodule_export]
     use super::prepared::Prepared;
+    #[pymodule_export]
+    use super::tracker::Tracker;
 }

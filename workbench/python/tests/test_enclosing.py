@@ -57,3 +57,24 @@ def test_no_collision_of_turning_bodies_is_missed(cube: Zonotope) -> None:
         assert time is not None and time[1] - time[0] <= 2**-30 and 0.2 < time[0] * turns < 0.26
     away = first_contact(bar, post + [0, 0, 5], Motion(axis=[0, 0, 1], angle=40.0))
     assert away.status == "separate" and not away and away.verify() and away.proof["intervals"]
+
+
+def test_motions_of_pieces_are_followed(cube: Zonotope) -> None:
+    half = math.sqrt(0.5)
+    turn = Motion.from_pieces([0.5, 1], [[1, 0, 0, 0]] * 2, [[half, 0, 0, half]] * 2, axis_point=[[0, 0, 0]] * 2)
+    bar = Zonotope([0, 0, 0], np.diag([10, 0.1, 0.1]))
+    found = first_contact(bar, 0.1 * cube + [0, 9, 0], turn)
+    time = found.time
+    assert found.verify() and time is not None and 0.45 < time[0] < 0.5
+    rest = [[1.0, 0, 0, 0]]
+    with pytest.raises(zonotope.LengthMismatch, match="1 times of pieces and 2 rows of `to`"):
+        Motion.from_pieces([1], rest, rest * 2)
+    refused: list[tuple[type[zonotope.ZonotopeError], Motion]] = [
+        (zonotope.ZeroAxis, Motion.from_pieces([1], rest, [[0, 0, 0, 0]])),
+        (zonotope.BadAngle, Motion.from_pieces([1], rest, [[-1, 0, 0, 0]])),
+        (zonotope.BadInput, Motion.from_pieces([0.5], rest, rest)),
+        (zonotope.NonFinite, Motion.from_pieces([1], rest, [[math.inf, 0, 0, 0]])),
+    ]
+    for error, motion in refused:
+        with pytest.raises(error):
+            first_contact(bar, cube, motion)

@@ -20,6 +20,27 @@ def test_notebooks_show_bodies(cube: Zonotope) -> None:
     assert Zonotope([0], [[1]])._repr_svg_() is None
 
 
+def test_notebooks_show_enclosings_and_intersections(cube: Zonotope, random: np.random.Generator) -> None:
+    for d in (2, 3):
+        points = random.normal(size=(3000, d))
+        around = zonotope.min_length(points, 0.1), zonotope.along_directions(points, np.eye(d))
+        for svg in (around[0]._repr_svg_(), around[1]._repr_svg_()):
+            assert svg is not None and "around 3000 points" in svg and svg.count("<circle") == 1500
+    turned = ([[0, -1, 0], [1, 0, 0], [0, 0, 1]], [2, 0, 0])
+    square = Zonotope([0, 0], np.eye(2))
+    for meets, words in [
+        (cube.intersects(cube, pose=turned), "only touch"),
+        (cube.intersects(cube + [3, 0, 0]), "apart"),
+        (square.intersects(2 * square), "interiors meet"),
+        (zonotope.Tracker(cube, cube).frame(turned, turned), "interiors meet"),
+    ]:
+        svg = meets._repr_svg_()
+        assert svg is not None and words in svg
+    segment = Zonotope([0], [[1]])
+    assert segment.intersects(segment)._repr_svg_() is None
+    assert zonotope.along_directions([[0, 0], [1, 1]], [[1, 0]])._repr_svg_() is None
+
+
 def test_matplotlib_draws_bodies(cube: Zonotope) -> None:
     assert len(Zonotope([0, 0], np.eye(2)).plot(color="red").patches) == 1
     axes = cube.plot()

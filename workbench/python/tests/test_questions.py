@@ -92,10 +92,16 @@ def test_distances_depths_and_gaps_have_proofs(random: np.random.Generator) -> N
         assert far.verify(), far.verify()
         if float(far) > 0:
             p, q = far.nearest
-            assert float(far) == pytest.approx(np.linalg.norm(p - q), rel=1e-12) and far.penetration is None
+            assert float(far) == pytest.approx(np.linalg.norm(p - q), rel=1e-12)
+        depth = a.penetration(b)
+        assert depth.verify() and bool(depth) == (float(far) == 0) and depth.lower <= depth.upper
+        if depth:
+            direction = depth.direction
+            assert direction is not None and 0 < depth.lower and depth.upper <= 1.01 * depth.lower
+            out = depth.upper * direction / np.linalg.norm(direction)
+            assert not a.intersects(b + 1.0001 * out) and a.intersects(b + 0.98 * out)
         else:
-            depth = a.penetration(b)
-            assert depth is not None and 0 < depth[0] <= depth[1] <= 1.01 * depth[0] and far.direction is not None
+            assert depth.direction is None and depth.upper == 0
         between = a.hausdorff(b)
         assert between.lower <= float(between) <= between.upper and between.verify() and not between.contained
 
@@ -153,6 +159,12 @@ def test_frames_are_answered_as_fresh_questions(random: np.random.Generator) -> 
     assert tracked.dtype == np.int8 and {-1, 1} == set(tracked)
     fresh = [a.intersects(b, pose=(pose[:3, :3], pose[:3, 3])) for pose in back]
     assert np.mean([bool(meets) == (place <= 0) for meets, place in zip(fresh, tracked, strict=True)]) > 0.99
+    tracker = zonotope.Tracker(a, b)
+    frames = [tracker.frame(*pair) for pair in zip(poses, moved, strict=True)]
+    assert [{"inside": -1, "boundary": 0, "outside": 1}[meets.status] for meets in frames] == tracked.tolist()
+    assert all(meets.verify() for meets in frames[::40])
+    with pytest.raises(zonotope.BadInput, match="last row"):
+        tracker.frame(np.ones((4, 4)))
     with pytest.raises(zonotope.DimensionMismatch, match="4, 4"):
         zonotope.track(a, b, np.eye(3), moved)
     with pytest.raises(zonotope.BadInput, match="last row"):

@@ -13,7 +13,7 @@ A zonotope is a Minkowski sum of segments, { c + Σ δ_i g_i : |δ_i| ≤ 1 }, g
 Verdict(word='right', reason='outside; the direction separates exactly')
 """
 
-from ._answers import Answer, Collision, Distance, Hausdorff, Intersection, Location, Reduction, Verdict
+from ._answers import Answer, Collision, Reduction, Verdict
 from ._body import Zonotope
 from ._enclosing import Along, Enclosing, along_directions, min_area, min_length
 from ._errors import (
@@ -31,8 +31,9 @@ from ._errors import (
     ZeroAxis,
     ZonotopeError,
 )
-from ._motion import Motion, first_contact, track
+from ._motion import Motion, Tracker, first_contact, track
 from ._prepared import Prepared
+from ._relations import Distance, Hausdorff, Intersection, Location, Penetration
 
 __version__ = "0.1.0"
 
@@ -55,9 +56,11 @@ __all__ = [
     "Motion",
     "NegativeWeight",
     "NonFinite",
+    "Penetration",
     "Prepared",
     "Reduction",
     "TooLarge",
+    "Tracker",
     "UnknownMethod",
     "Verdict",
     "ZeroAxis",

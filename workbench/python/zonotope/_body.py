@@ -7,16 +7,18 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _errors
-from ._answers import Distance, Hausdorff, Intersection, Location, Reduction
+from ._answers import Reduction
 from ._arrays import doubles, listed
+from ._placed import flat, pair_of, pose_of
 from ._prepared import Prepared
+from ._relations import Distance, Hausdorff, Intersection, Location, Penetration
 from ._zonotope import Body
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-    Pose = tuple[ArrayLike, ArrayLike] | dict[str, ArrayLike]
+    from ._placed import Pose
 
 
 class Zonotope:
@@ -43,8 +45,10 @@ class Zonotope:
     >>> hexagon = Zonotope([10, 0], [[1, 0, -1], [0, 1, 1]])
     >>> hexagon
     Zonotope(c=[10.0, 0.0], G=[[1.0, 0.0, -1.0], [0.0, 1.0, 1.0]])
-    >>> hexagon.volume
-    12.0
+    >>> hexagon.center.tolist(), hexagon.generators.tolist(), hexagon.dimension, len(hexagon)
+    ([10.0, 0.0], [[1.0, 0.0], [0.0, 1.0], [-1.0, 1.0]], 2, 3)
+    >>> (hexagon + [1, 2] == Zonotope([11, 2], hexagon.G), (2 * hexagon).volume, ([[0, 1]] @ hexagon).volume)
+    (True, 48.0, 4.0)
     """
 
     __slots__ = ("_body",)
@@ -317,7 +321,7 @@ class Zonotope:
         Parameters
         ----------
         other : Zonotope
-        pose : (matrix, translation) or dict with these names, optional
+        pose : (matrix, translation), dict with these names, or array_like of shape (4, 4), optional
             The placement of the other body in space: x goes to matrix @ x + translation, shapes (3, 3) and (3,).
 
         Returns
@@ -333,11 +337,10 @@ class Zonotope:
         """
         if pose is None:
             place = self._body.meets(other._body, None)
-            return Intersection(_pair(self, other), place)
-        matrix, translation = _pose(pose)
-        place = self._body.meets(other._body, [*(c for row in matrix for c in row), *translation])
-        placed = json.dumps({"matrix": matrix, "translation": translation})
-        return Intersection(_pair(self, other, placed), place)
+            return Intersection(pair_of(self, other), place)
+        placed = pose_of(pose)
+        place = self._body.meets(other._body, flat(placed))
+        return Intersection(pair_of(self, other, None, placed), place)
 
     def distance(self, other: Zonotope) -> Distance:
         """The Euclidean distance of two bodies; `float()` of the answer is its value.
@@ -349,20 +352,20 @@ class Zonotope:
         >>> float(cube.distance(cube + [5, 0, 0]))
         3.0
         """
-        return Distance(_pair(self, other), self._body.distance(other._body))
+        return Distance(pair_of(self, other), self._body.distance(other._body))
 
-    def penetration(self, other: Zonotope) -> tuple[float, float] | None:
-        """Bounds of the least translation that makes two bodies only touch, within 1 %; none where they are apart.
+    def penetration(self, other: Zonotope) -> Penetration:
+        """How deep two bodies lie in each other: the least translation that makes them only touch, within 1 %.
 
         Examples
         --------
         >>> from zonotope import Zonotope
         >>> cube = Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
-        >>> lower, upper = cube.penetration(cube + [1.5, 0, 0])
-        >>> lower <= 0.5 <= upper
+        >>> deep = cube.penetration(cube + [1.5, 0, 0])
+        >>> deep.lower <= 0.5 <= deep.upper
         True
         """
-        return self.distance(other).penetration
+        return Penetration("distance", pair_of(self, other)).now()
 
     def hausdorff(self, other: Zonotope) -> Hausdorff:
         """The Hausdorff distance of two bodies, between two proven bounds.
@@ -374,7 +377,7 @@ class Zonotope:
         >>> float(segment.hausdorff(3 * segment))
         2.0
         """
-        return Hausdorff("hausdorff", _pair(self, other)).now()
+        return Hausdorff("hausdorff", pair_of(self, other)).now()
 
     def reduce(self, k: int, rule: str = "best") -> Reduction:
         """A body of at most k generators that contains this one exactly.
@@ -421,17 +424,33 @@ class Zonotope:
 
     @property
     def volume(self) -> float:
-        """Length, area or volume, the nearest double; 0 where the body is flat."""
+        """Length, area or volume, the nearest double; 0 where the body is flat.
+
+        >>> from zonotope import Zonotope
+        >>> Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).volume
+        8.0
+        """
         return float(self.exact_volume)
 
     @property
     def exact_volume(self) -> Fraction:
-        """Length, area or volume, exactly."""
+        """Length, area or volume, exactly.
+
+        >>> from zonotope import Zonotope
+        >>> Zonotope([0], [[0.1]]).exact_volume
+        Fraction(3602879701896397, 18014398509481984)
+        """
         numerator, denominator = self._body.exact_volume()
         return Fraction(int(numerator), int(denominator))
 
     def bounding_box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The least and the greatest coordinates, each of shape (d,): the smallest box of doubles around the body."""
+        """The least and the greatest coordinates, each of shape (d,): the smallest box of doubles around the body.
+
+        >>> from zonotope import Zonotope
+        >>> low, high = Zonotope([1, 0], [[1, 2], [0, 3]]).bounding_box()
+        >>> low.tolist(), high.tolist()
+        ([-2.0, -3.0], [4.0, 3.0])
+        """
         low, high = self._body.bounding_box()
         return low, high
 
@@ -497,6 +516,12 @@ class Zonotope:
         Returns
         -------
         The axes.
+
+        Examples
+        --------
+        >>> from zonotope import Zonotope
+        >>> len(Zonotope([0, 0], [[1, 0], [0, 1]]).plot(color="red").patches)
+        1
         """
         from ._plot import plot
 
@@ -506,27 +531,3 @@ class Zonotope:
         from ._plot import svg
 
         return svg(self)
-
-
-def _pair(a: Zonotope, b: Zonotope, pose: str | None = None) -> str:
-    second = b._body.json()
-    if pose is not None:
-        second = f'{second[:-1]},"pose":{pose}}}'
-    return f'{{"a":{a._body.json()},"b":{second}}}'
-
-
-def _pose(pose: Pose) -> tuple[list[list[float]], list[float]]:
-    if isinstance(pose, dict):
-        unknown = set(pose) - {"matrix", "translation"}
-        if unknown or not pose:
-            raise _errors.BadInput(f"a pose has `matrix` and `translation`, not {sorted(unknown)}")
-        matrix = pose.get("matrix", [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
-        translation = pose.get("translation", [0, 0, 0])
-    else:
-        matrix, translation = pose
-    shapes = (doubles(matrix, "matrix").shape, doubles(translation, "translation").shape)
-    if shapes != ((3, 3), (3,)):
-        raise _errors.DimensionMismatch(f"a pose has matrix and translation of shapes (3, 3) and (3,), not {shapes}")
-    rows: list[list[float]] = doubles(matrix, "matrix").tolist()
-    by: list[float] = doubles(translation, "translation").tolist()
-    return rows, by

@@ -17,7 +17,13 @@ if TYPE_CHECKING:
 
 
 class Enclosing(Answer):
-    """A zonotope around points, with a lower bound that no such body can beat. It contains every point exactly."""
+    """A zonotope around points, with a lower bound that no such body can beat. It contains every point exactly.
+
+    >>> import zonotope
+    >>> square = zonotope.min_length([[0, 0], [2, 0], [2, 2], [0, 2]], 1e-9)
+    >>> len(square.body), square.ratio < 1.0000001, bool(square.verify())
+    (2, True, True)
+    """
 
     @property
     def body(self) -> Zonotope:
@@ -39,6 +45,11 @@ class Enclosing(Answer):
         """The value over the lower bound: 1 for an optimum."""
         return 1.0 if self.value == self.lower_bound else self.value / self.lower_bound
 
+    def _repr_svg_(self) -> str | None:
+        from ._plot import svg_around
+
+        return svg_around(self.body, json.loads(self.question)["input"]["points"])
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}(value={self.value!r}, lower_bound={self.lower_bound!r})"
 
@@ -47,6 +58,11 @@ class Along(Answer):
     """The zonotope of least weighted length along given directions, or the proof that there is none.
 
     It is false where there is none.
+
+    >>> import zonotope
+    >>> flat = zonotope.along_directions([[0, 0], [1, 1]], [[1, 0]])
+    >>> flat, bool(flat), bool(flat.verify())
+    (Along('infeasible'), False, True)
     """
 
     @property
@@ -84,6 +100,11 @@ class Along(Answer):
 
     def __bool__(self) -> bool:
         return self.status != "infeasible"
+
+    def _repr_svg_(self) -> str | None:
+        from ._plot import svg_around
+
+        return svg_around(self.body, json.loads(self.question)["input"]["points"]) if self else None
 
     def __repr__(self) -> str:
         return f"Along({self.status!r})"

@@ -44,3 +44,21 @@ def plot(body: Zonotope, ax: Any, options: dict[str, Any]) -> Any:
 def svg(body: Zonotope) -> str | None:
     """The picture of a body as notebooks show it; none where there is nothing to see, or too much."""
     return _zonotope.svg(body._body)
+
+
+def svg_of_pair(given: dict[str, Any], status: str) -> str | None:
+    """The picture of the two bodies of a question, each where its pose places it."""
+    from ._answers import body_of
+    from ._placed import flat
+
+    sides = [given[side] for side in "ab"]
+    poses = [flat(side["pose"]) if "pose" in side else None for side in sides]
+    bodies = [body_of(side)._body for side in sides]
+    note = {"inside": "their interiors meet", "boundary": "they only touch", "outside": "they are apart"}[status]
+    return _zonotope.svg_pair(bodies, poses, "Two zonotopes", note)
+
+
+def svg_around(body: Zonotope, points: list[list[float]]) -> str | None:
+    """The picture of a body around points."""
+    counted = f"{len(body)} generators around {len(points)} points"
+    return _zonotope.svg_around(body._body, points, "A zonotope around points", counted)

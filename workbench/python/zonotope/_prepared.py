@@ -38,13 +38,28 @@ class Prepared:
         return self._prepared.bytes()
 
     def contains(self, points: ArrayLike) -> Any:
-        """As `Zonotope.contains`."""
+        """As `Zonotope.contains`.
+
+        >>> from zonotope import Zonotope
+        >>> Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).prepare().contains([1, 1, 1])
+        True
+        """
         return self._prepared.contains(points)
 
     def locate(self, points: ArrayLike) -> Any:
-        """As `Zonotope.locate`."""
+        """As `Zonotope.locate`.
+
+        >>> from zonotope import Zonotope
+        >>> Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).prepare().locate([1, 1, 1])
+        0
+        """
         return self._prepared.locate(points)
 
     def gauge(self, points: ArrayLike) -> Any:
-        """As `Zonotope.gauge`, with the error that the structure allows: some units in the last place."""
+        """As `Zonotope.gauge`, with the error that the structure allows: some units in the last place.
+
+        >>> from zonotope import Zonotope
+        >>> Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).prepare().gauge([0, 4, 0])
+        4.0
+        """
         return self._prepared.gauge(points)

@@ -116,13 +116,13 @@
 //! # Layers
 //!
 //! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
-//! then [`enclosing`] and [`collision`], then [`line_fit`] and [`motion`]; [`reduction`] stands on
-//! [`zonotope`].
+//! then [`enclosing`] and [`collision`], then [`line_fit`] and [`motion`]; [`reduction`] stands on [`zonotope`].
 
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
 
 pub mod arrangement;
+pub mod bvh;
 pub mod collision;
 pub mod enclosing;
 pub mod hull;

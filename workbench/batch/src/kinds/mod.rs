@@ -4,6 +4,7 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
+mod meshes;
 mod motion;
 
 use serde_json::Value;
@@ -52,6 +53,7 @@ pub static KINDS: &[Kind] = &[
     collision::gauge::KIND,
     collision::distance::KIND,
     motion::collide::KIND,
+    meshes::mesh::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,

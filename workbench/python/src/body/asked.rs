@@ -134,8 +134,9 @@ fn finite<const D: usize>(direction: [f64; D]) -> Result<[f64; D], String> {
     }
 }
 
-fn pose_of(py: Python<'_>, numbers: &[f64; 12]) -> PyResult<Pose> {
+/// The pose of 12 numbers, matrix by rows and translation.
+pub(crate) fn pose_of(py: Python<'_>, numbers: &[f64; 12]) -> PyResult<Pose> {
     let matrix = std::array::from_fn(|i| std::array::from_fn(|j| numbers[3 * i + j]));
     let translation = std::array::from_fn(|i| numbers[9 + i]);
-    Pose::new(matrix, translation).map_err(|reason| error(py, "bad_input", &reason.to_string()))
+    Pose::new(matrix, translation).map_err(|reason| error(py, "non_finite", &reason.to_string()))
 }
