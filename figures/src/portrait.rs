@@ -1,7 +1,7 @@
 //! A body alone, as notebooks show it: a zonogon, or a zonohedron with hidden sides dotted.
 //!
-//! A body is moved to the origin and scaled by a power of two, so that its picture depends on its shape alone. A [`group`]
-//! is several bodies, or bodies with points.
+//! A body is moved to the origin and scaled by a power of two, so that its picture depends on its shape alone. A
+//! [`group`] is several bodies, or bodies with points.
 
 pub mod group;
 
