@@ -232,6 +232,7 @@ mod tests {
                 time_row(8, 1, TimeOutcome::Void { laps_ns: laps(11), reason: "bad".to_owned() }),
             ],
             environment: Environment::current(),
+            elsewhere: Vec::new(),
         };
         let of = |quantity| samples("toy", "disc", "m", quantity, &records);
         assert_eq!(of(Quantity::Count("a")), (vec![(4.0, 40.0), (8.0, 80.0)], 1));
@@ -249,8 +250,12 @@ mod tests {
             ..FitPlan::of_operations("m", &["disc"]).within(Bound::of_paper(GrowthModel::Linear, "Theorem 0"))
         };
         let row = |log: u32| count_row(1 << log, y(f64::from(1 << log)) as u64, Verdict::Correct(String::new()));
-        let records =
-            Records { counts: (6..=14).map(row).collect(), times: Vec::new(), environment: Environment::current() };
+        let records = Records {
+            counts: (6..=14).map(row).collect(),
+            times: Vec::new(),
+            environment: Environment::current(),
+            elsewhere: Vec::new(),
+        };
         of_plan("toy", &plan, &records)
     }
 
@@ -286,8 +291,12 @@ mod tests {
     fn a_bound_that_is_a_number_is_decided_by_each_sample() {
         let plan = FitPlan::new(Quantity::Count("a"), "m", &["disc"], GrowthModel::ALL);
         let row = |log: u32| count_row(1 << log, 50 + 40 * u64::from(log % 2), Verdict::Correct(String::new()));
-        let records =
-            Records { counts: (6..=14).map(row).collect(), times: Vec::new(), environment: Environment::current() };
+        let records = Records {
+            counts: (6..=14).map(row).collect(),
+            times: Vec::new(),
+            environment: Environment::current(),
+            elsewhere: Vec::new(),
+        };
         let verdict = |bound: Bound| of_plan("toy", &plan.within(bound), &records)[0].verdict();
         assert_eq!(verdict(Bound::of_paper(GrowthModel::Constant, "Lemma 0")), Some(ModelVerdict::Undecided));
         assert_eq!(verdict(Bound::number_of_paper(90.0, "Lemma 0")), Some(ModelVerdict::Within));

@@ -27,6 +27,9 @@ pub struct Environment {
     pub processors: usize,
     /// Operating system and architecture.
     pub system: String,
+    /// The name of the machine; empty where it is of no interest.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub host: String,
 }
 
 impl Environment {
@@ -41,6 +44,8 @@ impl Environment {
             cpu: cpu_model(),
             processors: std::thread::available_parallelism().map_or(1, usize::from),
             system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+            host: std::fs::read_to_string("/proc/sys/kernel/hostname")
+                .map_or_else(|_| String::new(), |name| name.trim().to_owned()),
         }
     }
 

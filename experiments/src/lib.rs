@@ -4,7 +4,7 @@
 //!   family are the crate [`families`].
 //! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
 //! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]:
-//!   stable seeds; [`stopwatch`]: the only place that reads a clock.
+//!   stable seeds; [`stopwatch`]: the only place that reads a clock; [`sharing`]: runs in parts, on many machines.
 //! - [`moving`]: bodies that move, at a clearance.
 //! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
@@ -27,4 +27,5 @@ pub mod question;
 pub mod record;
 pub mod runner;
 pub mod seed;
+pub mod sharing;
 pub mod stopwatch;

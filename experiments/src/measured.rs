@@ -162,7 +162,7 @@ mod tests {
             row(32, 2, 5.0, right()),
             row(64, 0, 70.0, Verdict::Wrong("no evidence, and counted in sums".to_owned())),
         ];
-        let records = Records { counts, times: Vec::new(), environment: Environment::current() };
+        let records = Records { counts, times: Vec::new(), environment: Environment::current(), elsewhere: Vec::new() };
         let found = Measured::of(&records);
         let series = Series { experiment: "wrong-answers", input: "flat_bodies", method: "by_gjk" };
         assert_eq!(found.at_largest(series, Quantity::Value("wrong")), Some((32, 5.0)));

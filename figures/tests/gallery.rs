@@ -41,6 +41,7 @@ fn counts() -> Records {
         directory: None,
         times: false,
         own_inputs: String::new(),
+        shard: None,
     };
     runner::run(&shown, &options, &()).expect("counting without a folder touches no file")
 }

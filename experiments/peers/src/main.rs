@@ -44,8 +44,11 @@ fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     let plan = plan(&arguments);
     let mut cells = race::run(&plan, |cell| eprintln!("{} {} n = {}", cell.family, cell.placement, cell.n))?;
-    let mut record =
-        PeersRecord { environment: Some(Environment::current()), seed: plan.seed, ..PeersRecord::default() };
+    let mut record = PeersRecord {
+        environment: Some(Environment { host: String::new(), ..Environment::current() }),
+        seed: plan.seed,
+        ..PeersRecord::default()
+    };
     if arguments.add {
         let text = std::fs::read_to_string(&arguments.out)
             .with_context(|| format!("cannot read {}", arguments.out.display()))?;

@@ -156,7 +156,7 @@ fn sentences_say_what_the_records_say() {
         row("near_plane_bodies", "by_direction_tree", 4096, 12288.0),
         row("near_plane_bodies", "by_lad", 4096, 4096.0),
     ];
-    let records = Records { counts, times: Vec::new(), environment: Environment::current() };
+    let records = Records { counts, times: Vec::new(), environment: Environment::current(), elsewhere: Vec::new() };
     let said = counted("direction-tree-queries", &Measured::of(&records));
     assert_eq!(
         said,

@@ -3,6 +3,7 @@
 use super::cases;
 use super::journal::Journal;
 use super::options::{Progress, RunOptions, guarded};
+use super::share::Share;
 use crate::definition::{Case, Experiment};
 use crate::record::CountRow;
 use rayon::prelude::*;
@@ -12,6 +13,7 @@ use std::io;
 pub(super) fn run(
     experiments: &[&'static Experiment],
     options: &RunOptions,
+    share: &Share,
     kept: Vec<CountRow>,
     journal: Option<&Journal>,
     progress: &dyn Progress,
@@ -22,6 +24,7 @@ pub(super) fn run(
         .flat_map(|&experiment| {
             cases(experiment, options.profile, options.seed).into_iter().map(move |case| (experiment, case))
         })
+        .filter(|(_, case)| share.has(case))
         .collect();
     let mut open: Vec<&(&'static Experiment, Case)> =
         all.iter().filter(|(_, case)| !rows.contains_key(&case.id())).collect();

@@ -1,6 +1,7 @@
 //! The options of a run, who hears how it proceeds, and the guard of its work.
 
 use crate::definition::Profile;
+use crate::sharing::Shard;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -21,6 +22,8 @@ pub struct RunOptions {
     /// A name for the content of inputs that are not part of the program; empty without any. Rows that a run with other
     /// inputs has left behind are not kept.
     pub own_inputs: String,
+    /// The part of the cases that is run; all of them without one.
+    pub shard: Option<Shard>,
 }
 
 /// Hears how a run proceeds; the program draws a bar from it.

@@ -66,6 +66,7 @@ fn options(directory: Option<&Path>, threads: usize) -> RunOptions {
         directory: directory.map(Path::to_path_buf),
         times: true,
         own_inputs: String::new(),
+        shard: None,
     }
 }
 
@@ -190,4 +191,28 @@ fn rows_survive_a_round_trip_through_their_file() {
         text(directory.path(), "counts.jsonl").lines().map(|line| serde_json::from_str(line).expect("a row")).collect();
     assert_eq!(read, records.counts);
     assert!(matches!(&read[0].outcome, CountOutcome::Measured { values, .. } if values["third"] == 1.0 / 3.0));
+}
+
+#[test]
+fn shards_have_each_case_once_and_make_the_whole_run() {
+    let folder = tempfile::tempdir().expect("a temporary directory");
+    let whole = run(&[&TOY], &options(Some(&folder.path().join("whole")), 2), &()).expect("room");
+    for count in [1, 3, 16, 40] {
+        let shards: Vec<Records> = (0..count)
+            .map(|index| {
+                let shard = Some(crate::sharing::Shard::new(index, count).expect("a shard"));
+                run(&[&TOY], &RunOptions { shard, ..options(None, 1) }, &()).expect("room")
+            })
+            .collect();
+        assert_eq!(shards.iter().map(|shard| shard.counts.len()).sum::<usize>(), whole.counts.len());
+        let together = folder.path().join(count.to_string());
+        let merged = put_together(&[&TOY], &options(Some(&together), 1), shards.clone()).expect("room");
+        assert_eq!((&merged.counts, merged.times.len()), (&whole.counts, whole.times.len()));
+        let read = |folder: &Path| fs::read_to_string(folder.join("counts.jsonl")).expect("written");
+        assert_eq!(read(&together), read(&folder.path().join("whole")));
+        if count == 3 {
+            let refused = put_together(&[&TOY], &options(None, 1), shards[1..].to_vec()).expect_err("one is missing");
+            assert!(matches!(refused, RunError::Missing { .. }), "{refused}");
+        }
+    }
 }

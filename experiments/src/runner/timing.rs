@@ -5,6 +5,7 @@
 
 use super::journal::Journal;
 use super::options::{Progress, RunOptions, guarded};
+use super::share::Share;
 use super::timed_groups;
 use crate::definition::{Case, Experiment, TimedWork, Timing};
 use crate::environment::Environment;
@@ -16,6 +17,7 @@ use std::io;
 pub(super) fn run(
     experiments: &[&'static Experiment],
     options: &RunOptions,
+    share: &Share,
     counts: &[CountRow],
     environment: &Environment,
     kept: Vec<TimeRow>,
@@ -31,6 +33,7 @@ pub(super) fn run(
         .flat_map(|(timing, experiment)| {
             timed_groups(experiment, options.profile, options.seed).into_iter().map(move |group| (timing, group))
         })
+        .filter(|(_, group)| group.iter().all(|case| share.has(case)))
         .collect();
     let keys = |(timing, group): &(Timing, Vec<Case>)| -> Vec<(String, u32)> {
         let repetitions = timing.repetitions.get(options.profile);

@@ -59,6 +59,7 @@ fn every_command_is_listed() {
         "records",
         "compare",
         "reproduce",
+        "merge",
         "explore",
         "completions",
         "man",

@@ -3,8 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    collide, compare, contains, distance, draw, enclose, explore, figure, hausdorff, inspect, intersect, list, mesh,
-    records, reduce, reproduce, shell, solve, sweep, verify,
+    collide, compare, contains, distance, draw, enclose, explore, figure, hausdorff, inspect, intersect, list, merge,
+    mesh, records, reduce, reproduce, shell, solve, sweep, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -21,6 +21,8 @@ pub struct Cli {
 pub enum Command {
     /// Run every experiment, draw every figure, check every claim, and write the report.
     Reproduce(reproduce::Options),
+    /// Put together the parts that `reproduce --shard` or `solve --shard` wrote.
+    Merge(merge::Options),
     /// Draw one figure of the report.
     Figure(figure::Options),
     /// Draw your own data as the paper draws its examples.

@@ -1,4 +1,4 @@
-//! The workbench on the command line: `reproduce`, `figure`, `draw`, `records`, `compare`, `list`, `enclose`,
+//! The workbench on the command line: `reproduce`, `merge`, `figure`, `draw`, `records`, `compare`, `list`, `enclose`,
 //! `contains`, `intersect`, `distance`, `hausdorff`, `collide`, `sweep`, `reduce`, `inspect`, `solve`, `verify`,
 //! `explore`, `completions`, `man`.
 //!
@@ -64,6 +64,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
     match &cli.command {
         Command::Reproduce(options) => commands::reproduce::run(options),
+        Command::Merge(options) => commands::merge::run(options),
         Command::Figure(options) => commands::figure::run(options),
         Command::Draw(options) => commands::draw::run(options),
         Command::Records(options) => commands::records::run(options),

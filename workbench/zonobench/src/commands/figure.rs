@@ -43,6 +43,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         directory: None,
         times: !figure.deterministic,
         own_inputs: String::new(),
+        shard: None,
     };
     let records = runner::run(&experiments, &run, &RunProgress::default())?;
     let svg = figure.draw(&FigureInput { records: Some(&records) })?;

@@ -1,5 +1,7 @@
 //! Parts of `reproduce`, and figures drawn alone.
 
+mod shards;
+
 use std::fs;
 use std::path::Path;
 

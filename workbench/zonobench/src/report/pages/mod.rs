@@ -10,6 +10,7 @@ mod opening;
 mod peers;
 mod reading;
 
+use experiments::environment::Environment;
 use experiments::measured::Measured;
 use experiments::record::TimeOutcome;
 
@@ -43,9 +44,8 @@ pub fn report(evidence: &Evidence) -> String {
     page("Zonotope Workbench: report", &body)
 }
 
-/// `times.html`: what the clock says.
-pub fn times(evidence: &Evidence) -> String {
-    let environment = &evidence.records.environment;
+/// The facts about a machine and the program on it.
+fn machine_table(environment: &Environment) -> String {
     let facts = [
         ("version", &environment.version),
         ("source revision when run", &environment.revision),
@@ -54,13 +54,23 @@ pub fn times(evidence: &Evidence) -> String {
         ("processor", &environment.cpu),
         ("system", &environment.system),
     ];
-    let mut body = String::from(
+    let rows: Vec<_> = facts.iter().map(|(name, value)| vec![(*name).to_owned(), Escaped(value).to_string()]).collect();
+    table("facts", &["what", "which"], &rows)
+}
+
+/// `times.html`: what the clock says.
+pub fn times(evidence: &Evidence) -> String {
+    let elsewhere = &evidence.records.elsewhere;
+    let machines = if elsewhere.is_empty() { std::slice::from_ref(&evidence.records.environment) } else { elsewhere };
+    let place = if machines.len() == 1 { "on one machine" } else { "on several machines, each row on one of them" };
+    let mut body = format!(
         "<main>\n<header><p class=\"kicker\">Zonotope Workbench</p>\n<h1>Times</h1>\n\
-         <p class=\"lead\">What the clock says, on one machine. Growth is judged on operation counts, \
+         <p class=\"lead\">What the clock says, {place}. Growth is judged on operation counts, \
          in the <a href=\"report.html\">report</a>.</p></header>\n<section id=\"machine\"><h2>Machine</h2>\n",
     );
-    let rows: Vec<_> = facts.iter().map(|(name, value)| vec![(*name).to_owned(), Escaped(value).to_string()]).collect();
-    body.push_str(&table("facts", &["what", "which"], &rows));
+    for environment in machines {
+        body.push_str(&machine_table(environment));
+    }
     body.push_str("</section>\n");
     for experiment in evidence.experiments.iter().filter(|experiment| experiment.timing.is_some()) {
         let rows = evidence.records.times.iter().filter(|row| row.key.experiment == experiment.id);

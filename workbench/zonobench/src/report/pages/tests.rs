@@ -13,7 +13,8 @@ use crate::report::chapters::CHAPTERS;
 
 /// A report without records: an empty drawing for every figure, every claim refuted.
 fn evidence() -> Evidence {
-    let records = Records { counts: Vec::new(), times: Vec::new(), environment: Environment::current() };
+    let records =
+        Records { counts: Vec::new(), times: Vec::new(), environment: Environment::current(), elsewhere: Vec::new() };
     let refuted = |&claim| ClaimResult { claim, verdict: Some(Verdict::Refuted("a witness".to_owned())) };
     let drawn = |figure| DrawnFigure { figure, drawing: Ok("<svg width=\"9\" height=\"9\"></svg>".to_owned()) };
     Evidence {

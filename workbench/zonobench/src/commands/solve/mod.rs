@@ -1,12 +1,16 @@
 //! `zonobench solve`: questions in, answers out, one line of JSON each, in order.
 
+mod shard;
+
 use std::io::{self, BufRead, BufWriter, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::Args;
+use experiments::sharing::Shard;
 use thiserror::Error;
 
+pub(super) use self::shard::{KIND, merge};
 use super::table::counted;
 use super::usage::tell;
 use super::{Ending, open};
@@ -26,10 +30,21 @@ pub struct Options {
     /// Seed of the methods that use random numbers; the answers' optima do not depend on it.
     #[arg(long, default_value_t = 0)]
     seed: u64,
+    /// Answer the part I of N of the file's questions alone, from 0/N on, and write it into the folder of --out;
+    /// `merge` puts the parts together.
+    #[arg(long, value_name = "I/N", requires_all = ["file", "out"])]
+    shard: Option<Shard>,
+    /// The folder of the shard.
+    #[arg(long, value_name = "DIR", requires = "shard")]
+    out: Option<PathBuf>,
 }
 
 /// Answers every question.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    if let (Some(shard), Some(file), Some(out)) = (options.shard, &options.file, &options.out) {
+        let refused = shard::run(file, out, shard, options.seed)?;
+        return Ok(ending(refused, options.strict));
+    }
     check_standard_output().context("the answers cannot be written")?;
     let name = options.file.as_ref().map_or("standard input".to_owned(), |file| file.display().to_string());
     let source = open(options.file.as_deref())?;
@@ -41,12 +56,16 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
                 BatchError::Write(error) => error.into(),
             }
         })?;
-    if options.strict && refused > 0 {
-        let questions = counted(refused, "question was", "questions were");
-        tell(&format!("--strict: {questions} refused; the answers with `error` say why"));
-        return Ok(Ending::Bad);
+    Ok(ending(refused, options.strict))
+}
+
+fn ending(refused: u64, is_strict: bool) -> Ending {
+    if !is_strict || refused == 0 {
+        return Ending::Good;
     }
-    Ok(Ending::Good)
+    let questions = counted(refused, "question was", "questions were");
+    tell(&format!("--strict: {questions} refused; the answers with `error` say why"));
+    Ending::Bad
 }
 
 /// Why a batch ended before its last line.

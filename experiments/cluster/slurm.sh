@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+#SBATCH --job-name=zonotopes
+#SBATCH --array=0-15
+#SBATCH --cpus-per-task=1
+#SBATCH --requeue
+# A task of the array does a shard; sbatch --array=0-99 makes a hundred of them.
+set -euo pipefail
+out=${OUT:-out/shards}
+"${ZONOBENCH:-zonobench}" reproduce --profile "${PROFILE:-full}" --threads "${SLURM_CPUS_PER_TASK:-1}" \
+  --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" --out "$out"
