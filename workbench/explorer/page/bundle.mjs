@@ -1,5 +1,5 @@
-// Bundles the page's scripts and its style into dist/page.js, dist/opening.js and dist/page.css, and what packs and unpacks
-// them into dist/unpack.js. The same sources give the same bytes.
+// Bundles the page's scripts and its style into dist/page.js, dist/opening.js and dist/page.css, what packs and unpacks
+// them into dist/unpack.js, and what reads columns into dist/columns.js, for the tests. The same sources give the same bytes.
 import { build } from "esbuild";
 
 const common = {
@@ -20,4 +20,9 @@ await build({
   define: { WORKER_SCRIPT: JSON.stringify(worker.outputFiles[0].text) },
 });
 await build({ ...common, entryPoints: { page: "src/styles/page.css" }, outdir: "dist" });
-await build({ ...common, entryPoints: { unpack: "src/unpack/index.ts" }, outdir: "dist", format: "esm" });
+await build({
+  ...common,
+  entryPoints: { unpack: "src/unpack/index.ts", columns: "src/engine/columns.ts" },
+  outdir: "dist",
+  format: "esm",
+});

@@ -2,7 +2,17 @@
 
 import { folded } from "./columns";
 import { Machine, Stopped, textOf } from "./machine";
-import { lineOf, readAnswer, readVerdict, refuse, type Answer, type Question, type Verdict } from "./questions";
+import {
+  lineOf,
+  readAnswer,
+  readVerdict,
+  refuse,
+  type Answer,
+  type AsksHeld,
+  type HeldEntry,
+  type Question,
+  type Verdict,
+} from "./questions";
 import type { Report } from "./worker";
 
 interface Waiting {
@@ -10,10 +20,7 @@ interface Waiting {
   reject(failure: Error): void;
 }
 
-/** The entries about a point and the body that is held. */
-export type HeldEntry = "locate" | "rival";
-
-export class Engine {
+export class Engine implements AsksHeld {
   private worker: Worker | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private errands = 0;

@@ -11,6 +11,14 @@ export interface Question<Result> {
   readonly result?: Result;
 }
 
+/** The entries about a point and the body that is held. */
+export type HeldEntry = "locate" | "rival";
+
+/** Asks about a point and a body that stays while the point moves. */
+export interface AsksHeld {
+  askHeld<Result>(entry: HeldEntry, body: Question<never>, point: readonly [number, number, number]): Result;
+}
+
 export interface Answer<Result> {
   readonly result: Result;
   /** The line of JSON that was asked. */

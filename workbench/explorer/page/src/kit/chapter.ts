@@ -8,15 +8,12 @@
  *       └── drags, keys, presets, links, own data, undo
  */
 
-import type { HeldEntry } from "../engine/engine";
-import type { Answer, Question, Verdict } from "../engine/questions";
+import type { Answer, AsksHeld, Question, Verdict } from "../engine/questions";
 import type { Vec2, Vec3 } from "../library/shapes";
 
 /** Asks the library, at once. */
-export interface Asking {
+export interface Asking extends AsksHeld {
   ask<Result>(question: Question<Result>): Answer<Result>;
-  /** Asks about a point and a body that stays while the point moves. */
-  askHeld<Result>(entry: HeldEntry, body: Question<never>, point: Vec3): Result;
   verify(answer: Answer<unknown>): Verdict;
 }
 

@@ -1,7 +1,6 @@
 /** Questions about zonotopes of space (Sections 3, 5 and 6). */
 
-import type { Question } from "../engine/questions";
-import type { Asking } from "../kit/chapter";
+import type { AsksHeld, Question } from "../engine/questions";
 import type { AnyNumber, Body, Exact, LocationProof, Status, Vec3 } from "./shapes";
 
 export interface Located {
@@ -27,7 +26,7 @@ function holding({ center, generators }: Body): Question<never> {
 }
 
 /** Whether a point lies in a body, as `locate` asks, for points that move while the body stays. */
-export function locateHeld(asking: Asking, point: Vec3, body: Body): Located {
+export function locateHeld(asking: AsksHeld, point: Vec3, body: Body): Located {
   const found = asking.askHeld<{
     member: boolean;
     status: Status;
@@ -54,7 +53,7 @@ export interface Belief {
 }
 
 /** The algorithm of Gilbert, Johnson and Keerthi in floating point. */
-export function believe(asking: Asking, point: Vec3, body: Body): Belief {
+export function believe(asking: AsksHeld, point: Vec3, body: Body): Belief {
   return asking.askHeld("rival", holding(body), point);
 }
 

@@ -57,20 +57,6 @@ export const exercises: readonly Exercise<State>[] = [
     },
   },
   {
-    id: "cubes",
-    title: "Two cubes",
-    task:
-      "<p>Two cubes of edge 2 stand side by side, with the centres (0, 0, 0) and (2, 0.5, 0.5). " +
-      "What does the exact answer say?</p>",
-    reply: { choices: ["They are apart.", "They just touch.", "They overlap."] },
-    setting: () => ({ ...first(), generators: CUBE, others: CUBE, point: [2, 0.5, 0.5] }),
-    check(reply, _, { ask }) {
-      const { status } = ask(meet(cube, { center: [2, 0.5, 0.5], generators: CUBE })).result;
-      const right = ["outside", "boundary", "inside"][reply] === status;
-      return { right, because: `The library says ${status}: the decision is exact, not up to a tolerance.` };
-    },
-  },
-  {
     id: "rival",
     title: "Proof and belief",
     task:

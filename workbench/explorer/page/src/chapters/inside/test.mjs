@@ -58,5 +58,4 @@ export async function test(opened, library) {
   same(await opened.exercise("direction", 1), true, "the exercise on directions");
   same(await opened.exercise("direction", 2), false, "the exercise on directions, answered wrongly");
   same(await opened.exercise("rival", 1), true, "the exercise on the rival");
-  same(await opened.exercise("cubes", 1), true, "the exercise on two cubes");
 }
