@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the quick profile as 16 shards by Slurm and by HyperQueue, with a task and a worker killed on the way, and holds
+# Runs the quick profile as 16 shards by Slurm and by HyperQueue, with a task and workers killed on the way, and holds
 # what `merge` makes of them against one run.
 #
 #     bash experiments/cluster/check.sh PROGRAM RUN [FOLDER]
@@ -22,7 +22,7 @@ same_bytes() {
   "$program" merge "$1" --out "$1-merged" >"$1-merge.log" || { cat "$1-merge.log"; return 1; }
   diff <(deterministic "$one") <(deterministic "$1-merged") && echo "$2: 16 shards have the bytes of one run"
 }
-# Waits until a shard is being made, and kills its process: `kill_a_task FOLDER SIGNAL`.
+# The process that makes a shard in a folder.
 being_made() { pgrep -f -- "--shard [0-9]+/16 --out $1" | head -n 1; }
 wait_for() { for _ in $(seq 600); do "$@" >/dev/null 2>&1 && return; sleep 0.1; done; echo "waited in vain: $*"; return 1; }
 
@@ -48,7 +48,6 @@ SlurmctldPidFile=$work/slurmctld.pid
 NodeName=$(hostname) CPUs=$(nproc) State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES State=UP
 END
-  printf 'CgroupPlugin=disabled\n' >"$work/cgroup.conf"
   export SLURM_CONF=$conf
   slurmctld -D -i -f "$conf" >"$work/slurmctld.log" 2>&1 &
   started+=($!)
@@ -67,21 +66,15 @@ END
 }
 
 by_hyperqueue() {
-  export HQ_SERVER_DIR=$work/hq OUT=$work/hyperqueue SHARDS=16
-  hq server start >"$work/hq.log" 2>&1 &
-  started+=($!)
-  wait_for hq server info
-  hq worker start --cpus 1 >"$work/worker.log" 2>&1 &
-  local worker=$!
-  hq worker start --cpus 1 >"$work/other.log" 2>&1 &
-  started+=("$worker" $!)
-  bash "$here/hyperqueue.sh" >"$work/job.log" 2>&1 &
-  local job=$!
+  export OUT=$work/hyperqueue SHARDS=16 WORKERS=2
+  "$1" "$here/hyperqueue_shards.py" >"$work/killed.log" 2>&1 &
+  local killed=$!
   wait_for bash -c "ls '$OUT'/*.shard"
-  kill -KILL "$worker"
-  wait "$job" || { cat "$work/job.log"; return 1; }
-  hq server stop
-  same_bytes "$OUT" "HyperQueue, one of two workers killed midway"
+  kill -KILL "$killed"
+  # Tasks that outlive their worker would still be at their shards.
+  wait_for bash -c "! pgrep -f -- '--shard [0-9]+/16 --out $OUT'"
+  "$1" "$here/hyperqueue_shards.py" >"$work/job.log" 2>&1 || { cat "$work/job.log"; return 1; }
+  same_bytes "$OUT" "HyperQueue, its workers killed midway and the job submitted again"
 }
 
 if command -v slurmctld >/dev/null || { apt-get update && apt-get install -y --no-install-recommends slurm-wlm munge; } \
@@ -90,12 +83,9 @@ if command -v slurmctld >/dev/null || { apt-get update && apt-get install -y --n
 else
   skipped 'Slurm cannot be installed, so nobody has tried the array'
 fi
-if ! command -v hq >/dev/null; then
-  python3 -m venv "$work/environment" && "$work/environment/bin/pip" install --quiet hyperqueue &&
-    PATH=$work/environment/bin:$PATH
-fi >"$work/pip.log" 2>&1 || true
-if command -v hq >/dev/null; then
-  by_hyperqueue
+if python3 -m venv "$work/environment" >"$work/pip.log" 2>&1 &&
+  "$work/environment/bin/pip" install hyperqueue >>"$work/pip.log" 2>&1; then
+  by_hyperqueue "$work/environment/bin/python"
 else
   skipped 'HyperQueue cannot be installed, so nobody has tried its job'
 fi
