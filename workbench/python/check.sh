@@ -30,16 +30,24 @@ size=$(stat -c %s "$wheel")
 printf 'the wheel: %s bytes, built in %s s\n' "$size" "$((SECONDS - began))"
 [ "$size" -le 6000000 ] || { echo 'the wheel is larger than 6 MB'; exit 1; }
 "${pip[@]}" install --force-reinstall --no-deps "$wheel"
+# The least of some is that of a machine with nothing else to do.
+"$python" - <<'END'
+import subprocess, sys
+ask = "import time; began = time.process_time(); import zonotope; print(time.process_time() - began)"
+least = min(float(subprocess.check_output([sys.executable, "-c", ask])) for _ in range(7))
+print(f"import zonotope: {1000 * least:.0f} ms of the processor")
+sys.exit(least > 0.05)
+END
 "${pip[@]}" install numpy ipykernel matplotlib mypy nbclient nbformat pytest scipy
 "${pip[@]}" install --only-binary :all: zonoopt || skipped 'there is no wheel of ZonoOpt for this Python'
 
 # The tests run beside the installed package, not beside its sources.
-cp -r "$here/tests" "$here/tour.ipynb" "$here/README.md" "$here/pyproject.toml" "$work"
+cp -r "$here/tests" "$here/benchmarks" "$here/tour.ipynb" "$here/README.md" "$here/pyproject.toml" "$work"
 cd "$work"
 export MPLBACKEND=Agg GOLDENS=$here/../../tests/goldens README=$here/../../README.md
 "$python" -m pytest --quiet -rs tests | tee tests.log
 "$python" -m pytest --quiet -rs --pyargs zonotope | tee doctests.log
-"$python" -m mypy --strict tests
+"$python" -m mypy --strict tests benchmarks
 for reason in $(grep -c '^SKIPPED' tests.log doctests.log); do
   [ "${reason##*:}" = 0 ] || skipped "${reason##*:} places in ${reason%%:*}, for the reasons above"
 done

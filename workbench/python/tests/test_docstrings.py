@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
+import matplotlib
+import pytest
+
 import zonotope
+
+matplotlib.use("Agg")
+PAGE = Path(__file__).resolve().parents[1] / "README.md"
 
 
 def shown(name: str, of: Any) -> Iterator[tuple[str, Any]]:
@@ -26,3 +33,11 @@ def test_everything_public_is_described_and_shown() -> None:
     bases = {"Answer", "Answer.now", "Answer.verify"}
     unshown = {name for name, text in described.items() if ">>>" not in text} - of_errors - bases
     assert not unshown
+
+
+@pytest.mark.parametrize("block", PAGE.read_text().split("```python\n")[1:])
+def test_the_page_of_the_package_runs(block: str) -> None:
+    names: dict[str, Any] = {}
+    exec(block.split("```")[0], names)
+    assert names["meets"].verify() and names["shell"].verify()
+    assert names["shell"].body.contains(names["points"]).all() and names["shell"].ratio <= 1.01
