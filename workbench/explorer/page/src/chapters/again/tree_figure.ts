@@ -21,13 +21,16 @@ export function asked(state: State): Vec3 {
 /** Whether the generators of a leaf lie on both sides of the plane that the direction is normal to. */
 export function isCrossed(leaf: readonly number[], u: Vec3): boolean {
   const signs = leaf.map((index) => {
-    const v = PREPARED[index] as Vec3;
-    return Math.sign(dot3(upward(v), u));
+    return Math.sign(dot3(turned(PREPARED[index] as Vec3), u));
   });
   return signs.some((sign) => sign > 0) && signs.some((sign) => sign < 0);
 }
 
-const upward = (v: Vec3): Vec3 => (v[2] < 0 ? [-v[0], -v[1], -v[2]] : v);
+/** A generator as the tree turns it: its largest coordinate is positive. */
+function turned(v: Vec3): Vec3 {
+  const largest = v.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);
+  return largest < 0 ? [-v[0], -v[1], -v[2]] : v;
+}
 
 export function treeFigure(control: Control<State>): Figure<State, Answers> {
   const view = new PlaneView("Directions of generators by leaves", ["rim", "dots", "circle"], {}, () =>
