@@ -1,9 +1,9 @@
 //! Tests of nodes and of triangles that two copies of a mesh take, by bounding volume and distance, and the times.
 //!
-//! `cargo bench -p zonotope --bench bounding_volumes`; `-- 200` sets the poses of each mesh, `-- 200 20` also the changes
-//! that are tried for each volume. A pose is a random rotation and a random direction along which the second copy comes
-//! nearer, never by more than their distance, until they are at the wanted distance. The tree, the leaf size, the
-//! traversal and the tests of triangles are the same for all volumes.
+//! `cargo bench -p zonotope --bench bounding_volumes`; `-- 200` sets the poses of each mesh, `-- 200 20` also the
+//! changes that are tried for each volume. A pose is a random rotation and a random direction along which the
+//! second copy comes nearer, never by more than their distance, until they are at the wanted distance. The tree, the
+//! leaf size, the traversal and the tests of triangles are the same for all volumes.
 
 mod approach;
 mod meshes;

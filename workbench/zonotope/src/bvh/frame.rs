@@ -17,7 +17,7 @@
 //! u in the frame of the second body is taken by Rᵀ u for R⁻¹ u, which 16 ε of it pays for. Together that is the
 //! [`slack`](Frame::slack): a gap that is larger is proved.
 
-use crate::numeric::linear::max_norm;
+use crate::numeric::linear::{dot, max_norm};
 use crate::numeric::scaling::{scale_by_power_of_two, scaled_difference};
 use crate::numeric::tolerance::{NODE_TEST, POINT_OF_A_FRAME, POSE_OF_A_FRAME};
 use crate::zonotope::pose::Pose;
@@ -85,13 +85,13 @@ impl Frame {
     /// R v.
     #[inline(always)]
     pub fn turned(&self, v: &[f64; 3]) -> [f64; 3] {
-        product(&self.matrix, v)
+        self.matrix.each_ref().map(|row| dot(row, v))
     }
 
     /// The vector of the first mesh as the second one sees it, but for `ratio`.
     #[inline(always)]
     pub fn turned_back(&self, v: &[f64; 3]) -> [f64; 3] {
-        product(&self.inverse_rotation, v)
+        self.inverse_rotation.each_ref().map(|row| dot(row, v))
     }
 
     /// R x + s.
@@ -100,10 +100,4 @@ impl Frame {
         let [a, b, c] = self.turned(x);
         [a + self.shift[0], b + self.shift[1], c + self.shift[2]]
     }
-}
-
-#[inline(always)]
-fn product([a, b, c]: &[[f64; 3]; 3], [x, y, z]: &[f64; 3]) -> [f64; 3] {
-    let row = |[p, q, r]: &[f64; 3]| p * x + q * y + r * z;
-    [row(a), row(b), row(c)]
 }

@@ -1,16 +1,10 @@
-//! A hierarchy of bounding volumes over a mesh, and its doors.
-
-use std::ops::ControlFlow;
+//! A hierarchy of bounding volumes over a mesh, as it stands or under a pose.
 
 use super::build::{BuildOptions, Topology, topology};
 use super::mesh::{Mesh, MeshError, PlacedMesh};
-use super::nearest::{MeshDistance, distance};
-use super::question::Question;
 use super::refit::volumes;
-use super::traverse::descend;
 use super::volume::BoundingVolume;
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
-use crate::tally::Tally;
 use crate::zonotope::pose::Pose;
 
 /// A mesh with a bounding volume for each node of a tree over its triangles.
@@ -25,7 +19,7 @@ use crate::zonotope::pose::Pose;
 /// let moved = Pose::from_translation([2.0, 0.0, 0.0])?;
 /// // edges that cross in the middle of a face of the cube around both
 /// assert!(tetrahedron.intersects(tetrahedron.at(&moved)));
-/// assert_eq!(tetrahedron.pairs(tetrahedron.at(&moved)), [[0, 2], [0, 3], [2, 2], [2, 3]]);
+/// assert_eq!(tetrahedron.pairs(tetrahedron.at(&moved)), [[0, 1], [0, 3], [2, 1], [2, 3]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -103,21 +97,6 @@ impl<V: BoundingVolume> Bvh<V> {
     pub fn at(&self, pose: &Pose) -> PlacedBvh<'_, V> {
         PlacedBvh { hierarchy: self, pose: *pose }
     }
-
-    /// Whether the mesh meets another one; closed, so touching counts.
-    pub fn intersects<'a>(&'a self, other: impl Into<PlacedBvh<'a, V>>) -> bool {
-        PlacedBvh::from(self).intersects(other)
-    }
-
-    /// All pairs of triangles that meet, in increasing order.
-    pub fn pairs<'a>(&'a self, other: impl Into<PlacedBvh<'a, V>>) -> Vec<[usize; 2]> {
-        PlacedBvh::from(self).pairs(other)
-    }
-
-    /// The distance from another mesh, between two bounds.
-    pub fn distance<'a>(&'a self, other: impl Into<PlacedBvh<'a, V>>) -> MeshDistance {
-        PlacedBvh::from(self).distance(other)
-    }
 }
 
 /// A hierarchy where a pose puts it. Wherever one is expected, `&hierarchy` is the hierarchy as it stands.
@@ -152,62 +131,6 @@ impl<'a, V: BoundingVolume> PlacedBvh<'a, V> {
     pub fn mesh(&self) -> PlacedMesh<'a> {
         self.hierarchy.mesh.at(&self.pose)
     }
-
-    /// Whether the mesh meets another one; closed, so touching counts.
-    pub fn intersects(&self, other: impl Into<Self>) -> bool {
-        self.witness(other, &mut ()).is_some()
-    }
-
-    /// A pair of triangles that meet, if the meshes do; node tests and triangle tests are counted.
-    pub fn witness(&self, other: impl Into<Self>, tally: &mut dyn Tally) -> Option<[usize; 2]> {
-        let question = Question::new(*self, other.into());
-        let mut found = None;
-        descend(&question, tally, |pair| {
-            found = Some(pair);
-            ControlFlow::Break(())
-        });
-        found
-    }
-
-    /// All pairs of triangles that meet, in increasing order.
-    pub fn pairs(&self, other: impl Into<Self>) -> Vec<[usize; 2]> {
-        self.at_most_pairs(other, usize::MAX, &mut ()).expect("no more pairs are found than a number can count")
-    }
-
-    /// All pairs of triangles that meet, in increasing order, if they are at most `limit`; node tests and triangle tests
-    /// are counted.
-    pub fn at_most_pairs(
-        &self,
-        other: impl Into<Self>,
-        limit: usize,
-        tally: &mut dyn Tally,
-    ) -> Option<Vec<[usize; 2]>> {
-        let question = Question::new(*self, other.into());
-        let mut found = Vec::new();
-        let mut is_complete = true;
-        descend(&question, tally, |pair| {
-            is_complete = found.len() < limit;
-            if !is_complete {
-                return ControlFlow::Break(());
-            }
-            found.push(pair);
-            ControlFlow::Continue(())
-        });
-        found.sort_unstable();
-        is_complete.then_some(found)
-    }
-
-    /// The distance from another mesh, between two bounds within a thousandth of each other.
-    pub fn distance(&self, other: impl Into<Self>) -> MeshDistance {
-        distance(&Question::new(*self, other.into()), &mut ())
-    }
-}
-
-/// Whether two meshes meet; closed, so touching counts. For a single question: who asks again keeps hierarchies.
-pub fn meet<'a>(a: impl Into<PlacedMesh<'a>>, b: impl Into<PlacedMesh<'a>>) -> bool {
-    let (a, b) = (a.into(), b.into());
-    let [first, second] = [a.mesh(), b.mesh()].map(Bvh::<super::Aabb>::build);
-    first.at(a.pose()).intersects(second.at(b.pose()))
 }
 
 /// The exponent of a unit in which the magnitudes of all coordinates are below 1.

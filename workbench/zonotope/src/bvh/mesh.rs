@@ -10,8 +10,8 @@ use crate::zonotope::pose::Pose;
 const COUNT_LIMIT: usize = u32::MAX as usize;
 
 /// A surface of triangles. A value of this type is valid: it has a triangle, coordinates are finite, and triangles name
-/// vertices that are there. Triangles may be flat to a segment or a point, repeated, and cross each other; vertices need
-/// not be used.
+/// vertices that are there. Triangles may be flat to a segment or a point, repeated, and cross each other; vertices
+/// need not be used.
 ///
 /// A mesh is the union of its closed triangles: a body inside another one that does not touch its surface does not meet
 /// it.

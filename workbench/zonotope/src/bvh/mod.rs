@@ -11,15 +11,17 @@
 //! | `question` | two hierarchies under poses in one [`frame`] | O(1) for rotations, else a refit |
 //! | [`traverse`] | all pairs of triangles that meet, or the first | a test a pair of nodes |
 //! | [`nearest`] | the distance between two bounds | a test a pair of nodes |
+//! | `doors` | the questions as methods of hierarchies | |
 //! | [`triangles`] | whether two triangles meet, and how far apart they are | O(1) |
 //! | [`validate`] | whether every volume contains its triangles, exactly | O(n log n) exact tests |
 //! | [`brute_force`] | all pairs of triangles that meet, without a tree: the truth | O(n²) |
 //!
-//! The volumes are tabulated in [`volumes`]; [`Method`] names them. Sets are closed: triangles that touch meet. Poses are taken as the exact
-//! matrices that they are, rotations or not.
+//! The volumes are tabulated in [`volumes`]; [`Method`] names them. Sets are closed: triangles that touch meet. Poses
+//! are taken as the exact matrices that they are, rotations or not.
 
 pub mod brute_force;
 pub mod build;
+mod doors;
 pub mod frame;
 mod hierarchy;
 mod mesh;
@@ -36,8 +38,9 @@ mod volume;
 pub mod volumes;
 
 pub use build::{BuildOptions, Topology};
+pub use doors::meet;
 pub use frame::Frame;
-pub use hierarchy::{Bvh, PlacedBvh, meet};
+pub use hierarchy::{Bvh, PlacedBvh};
 pub use mesh::{Mesh, MeshError, PlacedMesh};
 pub use method::{Encounter, Method};
 pub use nearest::MeshDistance;

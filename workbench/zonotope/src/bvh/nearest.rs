@@ -61,7 +61,7 @@ pub struct MeshDistance {
 /// Bounds of the distance.
 pub(super) fn distance<V: BoundingVolume>(question: &Question<'_, V>, tally: &mut dyn Tally) -> MeshDistance {
     let mut counts = Counts::default();
-    let mut best = Best { lower: f64::INFINITY, upper: f64::INFINITY, pair: [0; 2] };
+    let mut best = Best::NONE;
     let [a, b] = question.hierarchies();
     let mut stack = vec![(question.gap([0, 0]), [0, 0])];
     while let Some((gap, [i, j])) = stack.pop() {
@@ -73,7 +73,7 @@ pub(super) fn distance<V: BoundingVolume>(question: &Question<'_, V>, tally: &mu
         let opened = match (a.topology.nodes[i].children(i), b.topology.nodes[j].children(j)) {
             (None, None) => {
                 leaves(question, [i, j], &mut best, &mut counts);
-                if best.upper == 0.0 {
+                if best.is_contact() {
                     break;
                 }
                 continue;
@@ -91,26 +91,69 @@ pub(super) fn distance<V: BoundingVolume>(question: &Question<'_, V>, tally: &mu
     best.in_world(question)
 }
 
-/// The nearest pair so far.
+/// The nearest pair so far, and what is known of all others: bounds in the frame, and of pairs that were looked at
+/// exactly bounds in the coordinates in which the meshes were placed.
 struct Best {
     lower: f64,
     upper: f64,
+    exact: [f64; 2],
+    /// An upper bound of all, in the frame.
+    reach: f64,
     pair: [usize; 2],
 }
 
 impl Best {
+    const NONE: Self = Self {
+        lower: f64::INFINITY,
+        upper: f64::INFINITY,
+        exact: [f64::INFINITY; 2],
+        reach: f64::INFINITY,
+        pair: [0; 2],
+    };
+
     /// The gap from which on a pair need not be looked at.
     fn limit(&self) -> f64 {
-        self.upper * (1.0 - TOLERANCE)
+        self.reach * (1.0 - TOLERANCE)
+    }
+
+    fn is_contact(&self) -> bool {
+        self.exact[1] == 0.0
+    }
+
+    /// Takes a pair with bounds of its distance in the frame.
+    fn take(&mut self, pair: [usize; 2], [lower, upper]: [f64; 2]) {
+        self.lower = self.lower.min(lower);
+        if upper < self.upper {
+            self.upper = upper;
+            self.reach_to(pair, upper);
+        }
+    }
+
+    /// Takes a pair with the neighbouring doubles of its distance, and an upper bound in the frame.
+    fn take_exactly(&mut self, pair: [usize; 2], [below, above]: [f64; 2], reach: f64) {
+        self.exact[0] = self.exact[0].min(below);
+        if above < self.exact[1] {
+            self.exact[1] = above;
+            self.reach_to(pair, reach);
+        }
+    }
+
+    fn reach_to(&mut self, pair: [usize; 2], reach: f64) {
+        if reach < self.reach || self.reach == f64::INFINITY {
+            (self.reach, self.pair) = (reach, pair);
+        }
     }
 
     /// The bounds in the coordinates in which the meshes were placed.
     fn in_world<V: BoundingVolume>(self, question: &Question<'_, V>) -> MeshDistance {
-        let world =
-            |bound: f64, factor: f64| (&Dyadic::from_f64(bound) * &Dyadic::from_f64(factor)).scaled(question.unit());
-        let nearest = question.ordered(self.pair);
-        let lower = at_most(&world(self.lower.min(self.upper), 1.0 - DISTANCE_OF_A_FRAME));
-        MeshDistance { lower, upper: at_least(&world(self.upper, 1.0 + DISTANCE_OF_A_FRAME)), nearest }
+        let world = |bound: f64, factor: f64| {
+            bound.is_finite().then(|| (&Dyadic::from_f64(bound) * &Dyadic::from_f64(factor)).scaled(question.unit()))
+        };
+        let lower = world(self.lower, 1.0 - DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_most(&bound));
+        let upper = world(self.upper, 1.0 + DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_least(&bound));
+        let upper = upper.min(self.exact[1]);
+        let lower = lower.min(self.exact[0]).min(upper).min(f64::MAX);
+        MeshDistance { lower, upper, nearest: question.ordered(self.pair) }
     }
 }
 
@@ -123,17 +166,15 @@ fn leaves<V: BoundingVolume>(question: &Question<'_, V>, [i, j]: [usize; 2], bes
             counts.triangles += 1;
             let pair = [row as usize, column as usize];
             let of_column = question.corners(1, column as usize);
-            let mut bounds = question.bounds([&of_row, &of_column]);
-            let is_coarse = bounds[0] < bounds[1].min(best.upper) * (1.0 - TOLERANCE);
-            if is_coarse {
-                counts.exact += 1;
-                bounds = question.exact_bounds(pair);
+            let bounds = question.bounds([&of_row, &of_column]);
+            if bounds[0] >= bounds[1].min(best.reach) * (1.0 - TOLERANCE) {
+                best.take(pair, bounds);
+                continue;
             }
-            best.lower = best.lower.min(bounds[0]);
-            if bounds[1] < best.upper {
-                (best.upper, best.pair) = (bounds[1], pair);
-            }
-            if best.upper == 0.0 {
+            counts.exact += 1;
+            let exact = question.exact_bounds(pair);
+            best.take_exactly(pair, exact, question.in_frame(exact[1]));
+            if best.is_contact() {
                 return;
             }
         }

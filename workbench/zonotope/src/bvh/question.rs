@@ -12,7 +12,8 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::root::Root;
 use crate::numeric::exact_linear::{ExactVector, exact};
 use crate::numeric::linear::max_norm;
-use crate::numeric::tolerance::{PRODUCT_UNDERFLOW, ROUNDED_IMAGE};
+use crate::numeric::outward::at_least;
+use crate::numeric::tolerance::{DISTANCE_OF_A_FRAME, PRODUCT_UNDERFLOW, ROUNDED_IMAGE};
 
 /// One of both meshes.
 struct Side<'a, V: Clone> {
@@ -102,7 +103,7 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
         of_triangles::bounds(&values[0], &values[1], self.size, error)
     }
 
-    /// The neighbouring doubles of the distance of two triangles, in units of the frame.
+    /// The neighbouring doubles of the distance of two triangles, in the coordinates in which the meshes were placed.
     pub(super) fn exact_bounds(&self, pair: [usize; 2]) -> [f64; 2] {
         let [a, b] = self.exact_corners(pair);
         if meet_exactly(&a, &b) {
@@ -110,8 +111,17 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
         }
         let square = of_triangles::exact_square(&a, &b);
         let ratio = square.numerator.to_rational() / square.denominator.to_rational();
-        let root = Root::of(&ratio, -self.unit());
+        let root = Root::of(&ratio, 0);
         [root.below, root.above]
+    }
+
+    /// An upper bound of a length in the frame.
+    pub(super) fn in_frame(&self, length: f64) -> f64 {
+        if !length.is_finite() {
+            return length;
+        }
+        let in_units = Dyadic::from_f64(length).scaled(-self.unit());
+        at_least(&in_units) * (1.0 + 2.0 * DISTANCE_OF_A_FRAME)
     }
 
     /// The exponent of the frame's unit.

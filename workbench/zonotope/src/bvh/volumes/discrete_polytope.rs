@@ -168,7 +168,7 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
     }
 
     fn expected_overlaps(&self) -> f64 {
-        // of the box of its faces: an estimate, for the order of a descent alone
+        // of the box of its first three normals, which is a bound from above
         let half = |k: usize| 0.5 * (self.reaches[k][0] + self.reaches[k][1]);
         let axes = [[half(0), 0.0, 0.0], [0.0, half(1), 0.0], [0.0, 0.0, half(2)]];
         crate::bvh::volume::expected_overlaps_of_generators(&axes)

@@ -1,6 +1,6 @@
 //! A box around points that no small turn makes better.
 
-use super::covering::Covering;
+use super::covering::{Covering, unit};
 use crate::numeric::linear::{cross, dot, euclidean_norm};
 
 /// The axes of coordinates.
@@ -100,10 +100,4 @@ fn frame_of_extremes(points: &[[f64; 3]]) -> Option<[[f64; 3]; 3]> {
     let side = points.iter().map(off).max_by(|a, b| euclidean_norm(a).total_cmp(&euclidean_norm(b)))?;
     let normal = unit(&side)?;
     Some([along, normal, cross(&along, &normal)])
-}
-
-/// The unit vector along another one, if that is long enough to have a direction.
-pub(super) fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
-    let length = euclidean_norm(v);
-    (length > 1e-9 && length.is_finite()).then(|| v.map(|c| c / length))
 }

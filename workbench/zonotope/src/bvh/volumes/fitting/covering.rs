@@ -1,6 +1,5 @@
 //! Half-lengths along given directions around points, by the enclosing program.
 
-use super::boxes::unit;
 use crate::enclosing::fixed_directions::Generation;
 use crate::numeric::linear::{cross, dot, euclidean_norm};
 
@@ -118,6 +117,12 @@ impl Sums {
         let derivatives = by_area.iter().zip(&by_volume).map(derivative).collect();
         Self { length, area, volume, derivatives }
     }
+}
+
+/// The unit vector along another one, if that is long enough to have a direction.
+pub(super) fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
+    let length = euclidean_norm(v);
+    (length > 1e-9 && length.is_finite()).then(|| v.map(|c| c / length))
 }
 
 #[cfg(test)]

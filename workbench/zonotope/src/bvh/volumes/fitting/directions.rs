@@ -3,8 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::boxes::unit;
-use super::covering::Covering;
+use super::covering::{Covering, unit};
 use crate::seed::DEFAULT_SEED;
 
 /// Of fewer points than this, more than three generators gain little: the least cover of a triangle with a centre has
