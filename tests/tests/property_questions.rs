@@ -257,6 +257,13 @@ proptest! {
     }
 
     #[test]
+    fn every_method_for_motion_has_an_answer_that_verifies(
+        numbers in prop::collection::vec(finite(), 1..40), a in 0usize..4, b in 0usize..4, count in 0usize..6
+    ) {
+        methods_for_motion_agree([a, b], count, &numbers)?;
+    }
+
+    #[test]
     fn every_method_for_motion_takes_the_smallest_numbers(
         numbers in prop::collection::vec(smallest(), 1..40), a in 0usize..4, b in 0usize..4, count in 0usize..6
     ) {

@@ -1,5 +1,5 @@
-//! The collisions of fast boxes that the nonlinear cast of parry3d in doubles misses, on its own boxes, and the times of
-//! both. The first contact by control points proves each collision by a common point and each pass by directions.
+//! The collisions of fast boxes that the nonlinear cast of parry3d in doubles misses, on its own boxes, and the times
+//! of both. The first contact by control points proves each collision by a common point and each pass by directions.
 //!
 //! `cargo run --release -p peers --features others --example nonlinear_cast -- 20000`
 

@@ -3,7 +3,8 @@
 use std::error::Error;
 
 use zonotope::enclosing::min_area;
-use zonotope::{Location, Zonotope};
+use zonotope::motion::continuous::{FirstContact, first_contact};
+use zonotope::{Location, Motion, Zonotope};
 
 /// Asks and asserts.
 pub fn main() {
@@ -18,5 +19,13 @@ fn first_steps() -> Result<(), Box<dyn Error>> {
 
     let answer = min_area(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
     assert_eq!((answer.value, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+
+    // a robot's link makes half a turn about the origin: nothing that it meets on its way is missed
+    let link = Zonotope::new([1.0, 0.0, 0.0], vec![[1.0, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]])?;
+    let block = Zonotope::new([0.0, 2.1, 0.0], vec![[0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.5]])?;
+    let turn = Motion::constant_rate([0.0; 3], [0.0, 0.0, 1.0], std::f64::consts::PI, [0.0; 3])?;
+    let found = first_contact([&link, &block], [&turn, &Motion::rest()]); // with directions that prove the time before
+    let FirstContact::Contact { time: [free, met], .. } = found else { unreachable!("they meet") };
+    assert!(met - free < 1e-9 && format!("{met:.6}") == "0.384589"); // of the step, where link and corner touch
     Ok(())
 }

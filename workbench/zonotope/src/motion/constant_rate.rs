@@ -15,7 +15,7 @@ use super::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
-use crate::numeric::linear::{cross, euclidean_norm, sum_norm};
+use crate::numeric::linear::{cross, euclidean_norm, norm_of_any_size, sum_norm};
 use crate::numeric::tolerance::{ANGLE_ROUNDING, ANGLE_ROUNDING_OF_A_TURN, CHORD_OF_A_LINEAR_QUATERNION, UNIT};
 use crate::zonotope::Zonotope;
 
@@ -132,13 +132,13 @@ impl ConstantRate {
     /// A bound above the distance of a body's points from the axis.
     pub(super) fn reach(&self, body: &Zonotope<3>) -> f64 {
         let unit = self.unit_axis();
-        let off_axis = |v: [f64; 3]| euclidean_norm(&cross(&unit, &v));
+        let off_axis = |v: [f64; 3]| norm_of_any_size(&cross(&unit, &v));
         let center = [0, 1, 2].map(|k| body.center()[k] - self.axis_point[k]);
         let reach = body.generators().iter().fold(off_axis(center), |sum, g| sum + off_axis(*g));
-        // a product with the unit vector is off by a few roundings of the whole length
-        let size = body.generators().iter().fold(euclidean_norm(&center), |sum, g| sum + euclidean_norm(g));
+        // a product with the unit vector is off by a few roundings of the whole length, or of the smallest doubles
+        let size = body.generators().iter().fold(norm_of_any_size(&center), |sum, g| sum + norm_of_any_size(g));
         let terms = (body.generators().len() + 16) as f64;
-        (reach + terms * 4.0 * UNIT * size).next_up()
+        (reach + terms * 4.0 * (UNIT * size + f64::from_bits(1))).next_up()
     }
 
     /// A bound of the angle by which an end of a stretch is off.

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::arc::Arc;
 use super::constant_rate::{Clock, ConstantRate, LARGEST_ANGLE};
-use super::piece::{Piece, Standing};
+use super::piece::{Piece, Standing, scale_down};
 use super::quaternion::polar_rotation;
 use super::sweep::Sweep;
 use crate::numeric::bounded::Bounded;
@@ -12,6 +12,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;
 use crate::numeric::linear::dot;
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
 
@@ -202,9 +203,17 @@ impl Motion {
     /// `None` where a coordinate leaves the range of doubles.
     pub fn pose_at(&self, time: f64) -> Option<Pose> {
         let arc = self.rounded_arc([time, time], Clock::Kept);
-        let turn = &arc.turns[0];
-        let square = dot(turn, turn);
-        let mut rotation = polar_rotation(turn, turn);
+        let turn = match &arc.turns[0] {
+            turn if MODERATE_SIZES.contains(&dot(turn, turn)) => *turn,
+            // one whose square leaves the doubles, times a power of two
+            _ => {
+                let [mut turn, _] = self.exact_arc([time, time], Clock::Kept).turns;
+                scale_down(&mut turn);
+                turn.each_ref().map(Dyadic::to_f64)
+            }
+        };
+        let square = dot(&turn, &turn);
+        let mut rotation = polar_rotation(&turn, &turn);
         rotation.as_flattened_mut().iter_mut().for_each(|c| *c /= square);
         let arm = arc.arm.map(|c| c / arc.weight);
         let moved = |k: usize| dot(&rotation[k], &arm) + arc.base[0][k] / arc.weight;

@@ -7,6 +7,13 @@ use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::linear::{dot, sum_norm};
+use crate::numeric::scaling::{binary_exponent, power_of_two};
+
+/// A piece is short if it takes less than 2 to this power.
+const SHORT_TIME: i32 = -32;
+
+/// The largest exponent of a power of two by which times are multiplied: the smallest double becomes 2^-74.
+const LARGEST_EXPONENT: i32 = 1000;
 
 /// The placements x ↦ P(s) + R(q(s)) (x + w) for times between two: s is linear in the time, P(s) = base + s travel.
 /// The base and w are given times the weight, a positive number.
@@ -32,6 +39,8 @@ pub(super) struct Piece {
     rounded: Course<f64>,
     /// |base|_1 + |travel|_1, rounded.
     base_size: f64,
+    /// What times are multiplied by: 1, or of a short piece a power of two.
+    time_factor: f64,
     is_translation: bool,
 }
 
@@ -107,7 +116,9 @@ impl Piece {
         let is_translation = course.turns[0] == course.turns[1];
         let rounded: Course<f64> = course.near();
         let base_size = sum_norm(&rounded.base) + sum_norm(&rounded.travel);
-        Self { from, until, bounded: course.near(), rounded, base_size, exact: course, is_translation }
+        let bounded = course.near();
+        let time_factor = factor_of_times(until - from);
+        Self { from, until, bounded, rounded, base_size, time_factor, exact: course, is_translation }
     }
 
     /// The same piece with all lengths times a power of two.
@@ -148,23 +159,28 @@ impl Piece {
 
     /// The stretch between two times of the piece. Nothing is divided: with L the length of the piece's time,
     /// s = (t − start) / L, and so the quaternions, the base and w are given times L, and the weight is L times the
-    /// course's own.
+    /// course's own. Of a short piece, L is multiplied by a power of two, so that products of what is times L do not
+    /// vanish in doubles.
     fn between<T: Scalar>(&self, course: &Course<T>, times: [f64; 2]) -> Arc<T> {
         let [start, end] = &course.times;
-        let length = end.minus(start);
+        let between = |from: &T, until: &T| {
+            let time = until.minus(from);
+            if self.time_factor == 1.0 { time } else { time.times(&T::of(self.time_factor)) }
+        };
+        let length = between(start, end);
         let [from, to] = &course.turns;
         let turned = |t: f64| {
             let t = T::of(t);
-            sum(&multiple(&end.minus(&t), from), &multiple(&t.minus(start), to))
+            sum(&multiple(&between(&t, end), from), &multiple(&between(start, &t), to))
         };
         let gone = |t: f64| {
-            let passed = T::of(t).minus(start);
+            let passed = between(start, &T::of(t));
             [0, 1, 2].map(|k| length.times(&course.base[k]).plus(&passed.times(&course.travel[k])))
         };
         Arc {
             turns: if self.is_translation { [from.clone(), from.clone()] } else { times.map(turned) },
             base: times.map(gone),
-            base_size: (self.until - self.from) * self.base_size,
+            base_size: (self.until - self.from) * self.time_factor * self.base_size,
             arm: course.arm.each_ref().map(|c| length.times(c)),
             weight: length.times(&course.weight),
             is_translation: self.is_translation,
@@ -199,8 +215,16 @@ impl Standing {
     }
 }
 
+/// The power of two by which a length of time is multiplied: 1 where it is not short.
+fn factor_of_times(length: f64) -> f64 {
+    match binary_exponent(length) {
+        Some(exponent) if exponent < SHORT_TIME => power_of_two((-exponent).min(LARGEST_EXPONENT)),
+        _ => 1.0,
+    }
+}
+
 /// Scales numbers by one power of two, such that the largest magnitude is between 1 and 2.
-fn scale_down(numbers: &mut [Dyadic]) {
+pub(super) fn scale_down(numbers: &mut [Dyadic]) {
     let largest = numbers.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
     numbers.iter_mut().for_each(|c| *c = c.clone().scaled(-largest));
 }

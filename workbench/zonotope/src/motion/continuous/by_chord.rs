@@ -47,7 +47,7 @@ use super::scene::Scene;
 use super::{FirstContact, SeparatingDirection};
 use crate::motion::Motion;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::euclidean_norm;
+use crate::numeric::linear::norm_of_any_size;
 use crate::numeric::tolerance::RATE_ROUNDING;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
@@ -89,7 +89,7 @@ impl Bound for Chord {
 }
 
 fn is_proved_by_chord(stretch: &Stretch<'_, Bounded>, rates: &[Rates; 2], u: &[f64; 3]) -> bool {
-    let length = euclidean_norm(u);
+    let length = norm_of_any_size(u);
     let unit = u.map(|c| c / length);
     let bend = length * (rates[0].bend_along(&unit) + rates[1].bend_along(&unit)) / 8.0 * RATE_ROUNDING;
     // the least of a chord is at one of its ends

@@ -45,7 +45,7 @@ use super::ordinary_sizes;
 use super::scene::Scene;
 use super::{FirstContact, FreeStretch, SeparatingDirection};
 use crate::motion::Motion;
-use crate::numeric::linear::{dot, euclidean_norm};
+use crate::numeric::linear::{dot, norm_of_any_size};
 use crate::numeric::tolerance::{POSE_ROUNDING, RATE_ROUNDING};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
@@ -101,10 +101,11 @@ fn advanced(scene: &Scene<'_>, resolution: f64, tally: &mut dyn Tally) -> FirstC
 fn step(scene: &Scene<'_>, [from, end]: [f64; 2], tally: &mut dyn Tally) -> Option<(f64, SeparatingDirection)> {
     let proximity = scene.proximity_at(from, tally)?;
     let u = proximity.gap()?.direction();
-    let length = euclidean_norm(&u);
+    let length = norm_of_any_size(&u);
     let unit = u.map(|c| c / length);
-    // the placements were rounded, and those of a rotation at constant rate are off
-    let distance = proximity.distance() * (2.0 - RATE_ROUNDING);
+    // the placements were rounded, and those of a rotation at constant rate are off; beyond the doubles the distance is
+    // at least the largest
+    let distance = proximity.distance().min(f64::MAX) * (2.0 - RATE_ROUNDING);
     let mut until = end;
     while until > from && (!scene.is_whole([from, until]) || scene.margin([from, until]) > distance / MARGIN_SHARE) {
         until = from + (until - from) / 2.0;

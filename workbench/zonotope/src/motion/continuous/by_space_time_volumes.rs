@@ -81,7 +81,10 @@ impl Bound for Volumes {
         _: &[[f64; 3]],
         tally: &mut dyn Tally,
     ) -> Option<[f64; 3]> {
-        let [a, b] = [0, 1].map(|i| volume(&stretch.bodies[i], &stretch.arcs[i].rounded(), scene.margin(times)));
+        let [a, b] = [0, 1].map(|i| {
+            let pad = (RATE_ROUNDING - 1.0) * stretch.size_of(i) + scene.margin(times);
+            volume(&stretch.bodies[i], &stretch.arcs[i].rounded(), pad)
+        });
         let (a, b) = (a?, b?);
         let mut counts = OperationCounts::default();
         let location = locate(&Query::between(&a, &b), &mut counts);
@@ -97,8 +100,8 @@ impl Bound for Volumes {
 
 /// A zonotope around all placements of a body on a stretch; `None` where it leaves the range of doubles.
 ///
-/// It is that of the body as it is rounded at the begin, made larger by more than all roundings and the margin.
-fn volume(body: &Body<'_>, arc: &Arc<f64>, margin: f64) -> Option<Zonotope<3>> {
+/// It is that of the body as it is rounded at the begin, made larger by a pad of more than all roundings and the margin.
+fn volume(body: &Body<'_>, arc: &Arc<f64>, pad: f64) -> Option<Zonotope<3>> {
     let [turn, _] = &arc.turns;
     let square = dot(turn, turn);
     let rotation = polar_rotation(turn, turn).map(|row| row.map(|c| c / square));
@@ -111,8 +114,6 @@ fn volume(body: &Body<'_>, arc: &Arc<f64>, margin: f64) -> Option<Zonotope<3>> {
     let axis = if axis == [0.0; 3] { [1.0, 0.0, 0.0] } else { axis };
     let sweep = Sweep::new(base, axis, angle * RATE_ROUNDING, travel).ok()?;
     let swept = by_farthest_vertex::volume(&sweep, &placed, &mut ()).ok()?;
-    let size = body.magnitude() + [arm, base, travel].as_flattened().iter().map(|c| c.abs()).sum::<f64>();
-    let pad = (RATE_ROUNDING - 1.0) * size + margin;
     let padding = [0, 1, 2].map(|axis| [0, 1, 2].map(|k| if k == axis { pad } else { 0.0 }));
     let generators = swept.generators().iter().copied().chain(padding).collect();
     Zonotope::new(swept.center(), generators).ok()

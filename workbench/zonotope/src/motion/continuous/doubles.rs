@@ -52,7 +52,7 @@ impl Stretch<'_, f64> {
     /// Whether a gap along a direction is positive during the stretch: for certain, or not for certain by its
     /// coefficients; `None` where rounding leaves a doubt.
     pub(super) fn is_positive(&self, gap: &[f64; 6], direction: &SeparatingDirection) -> Option<bool> {
-        let doubt = self.rounding() * length_at_most(direction);
+        let doubt = doubt_along(self.rounding(), direction);
         if bernstein::is_above(&bernstein::unscaled(gap), doubt) {
             return Some(true);
         }
@@ -60,12 +60,11 @@ impl Stretch<'_, f64> {
     }
 }
 
-/// A bound of a direction's length: the sum of the magnitudes of its coordinates.
-pub(super) fn length_at_most(direction: &SeparatingDirection) -> f64 {
-    match direction {
-        SeparatingDirection::Space(u) | SeparatingDirection::First(u) | SeparatingDirection::Second(u) => sum_norm(u),
-        SeparatingDirection::Edges([e, f]) => sum_norm(e) * sum_norm(f),
-    }
+/// A bound of the error of each coefficient along a direction, by that for one of which the coordinates' magnitudes add
+/// up to 1; infinite where products with the direction may vanish or leave the range of doubles.
+pub(super) fn doubt_along(rounding: f64, direction: &SeparatingDirection) -> f64 {
+    let length = direction.length_at_most();
+    if MODERATE_SIZES.contains(&length) { rounding * length } else { f64::INFINITY }
 }
 
 #[cfg(test)]
@@ -112,7 +111,7 @@ mod tests {
                 SeparatingDirection::Edges([vector(&mut rng), vector(&mut rng)]),
             ];
             for direction in &directions {
-                let bound = rounded.rounding() * length_at_most(direction);
+                let bound = rounded.rounding() * direction.length_at_most();
                 assert!(bound.is_finite());
                 let pairs = rounded.gap_along(direction).into_iter().zip(exact.gap_along(direction));
                 for (value, truth) in pairs {
@@ -132,5 +131,15 @@ mod tests {
         let direction = SeparatingDirection::Space([1.0, 0.0, 0.0]);
         assert_eq!(stretch.rounding(), f64::INFINITY);
         assert_eq!(stretch.is_positive(&[1.0; 6], &direction), None);
+        // so do directions
+        for short in [5e-324, 1e-300, 1e-100] {
+            let directions = [
+                SeparatingDirection::First([0.0, short, 0.0]),
+                SeparatingDirection::Edges([[short, 0.0, 0.0], [0.0, 0.0, 3.0]]),
+                SeparatingDirection::Space([0.0; 3]),
+            ];
+            assert_eq!(directions.map(|direction| doubt_along(1e-13, &direction)), [f64::INFINITY; 3]);
+        }
+        assert_eq!(doubt_along(1e-13, &direction), 1e-13);
     }
 }

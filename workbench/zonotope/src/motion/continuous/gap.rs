@@ -197,10 +197,9 @@ impl Stretch<'_, Bounded> {
         if begin > 0.0 && end > 0.0 { begin.min(end).next_down().next_down() } else { 0.0 }
     }
 
-    /// About how large the numbers are of which the places of a body's points are made.
+    /// About how large the numbers are of which the places of a body's points are made, whatever of them cancels.
     pub(super) fn size_of(&self, i: usize) -> f64 {
         let (arc, body) = (self.arcs[i].rounded(), &self.bodies[i]);
-        let base = sum_norm(&arc.base[0]).max(sum_norm(&arc.base[1]));
-        body.magnitude() + (base + sum_norm(&arc.arm)) / arc.weight + sum_norm(&body.center())
+        body.magnitude() + (arc.base_size + sum_norm(&arc.arm)) / arc.weight + sum_norm(&body.center())
     }
 }

@@ -34,6 +34,21 @@ pub(super) fn is_proved(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], witn
     !determinant.is_zero() && rows.all(|(index, row)| dot(row, &right).abs() <= limit(index))
 }
 
+/// A bound above the distance of the points of both bodies that coefficients stand for.
+pub(super) fn distance_above(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], coefficients: Vec<f64>) -> f64 {
+    let coefficients = coefficients.into_iter().map(|c| c.clamp(-1.0, 1.0)).collect();
+    // without a basis, what is left of the path between the centres is the vector from one point to the other
+    let Some(System { right, scale, .. }) = system(bodies, arcs, &Witness { coefficients, basis: Vec::new() }) else {
+        return f64::INFINITY;
+    };
+    let square = dot(&right, &right);
+    if square.is_zero() {
+        return 0.0;
+    }
+    // the quotient is off by little more than half a unit in its last place
+    square.root_above().rounded_ratio(&scale).next_up().next_up()
+}
+
 /// The coefficients with those of the basis as they solve the system, rounded to nearest or beside that.
 pub(super) fn with_nearest_basis(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], mut witness: Witness) -> Witness {
     let Some(System { columns: [a, b, c], right, .. }) = system(bodies, arcs, &witness) else { return witness };

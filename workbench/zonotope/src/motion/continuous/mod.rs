@@ -40,6 +40,7 @@ pub use by_control_points::{first_contact, first_contact_within};
 pub use method::Method;
 
 use crate::collision::Witness;
+use crate::numeric::linear::sum_norm;
 
 /// When two moving bodies meet first. The stretches without contact follow each other, from 0 to 1 or to where the
 /// contact or the doubt begins.
@@ -94,6 +95,24 @@ pub enum SeparatingDirection {
     Second([f64; 3]),
     /// The normal of an edge of each body: R_a(t) e × R_b(t) f.
     Edges([[f64; 3]; 2]),
+}
+
+impl SeparatingDirection {
+    /// Whether all its coordinates are finite.
+    fn is_finite(&self) -> bool {
+        match self {
+            Self::Space(u) | Self::First(u) | Self::Second(u) => u.iter().all(|c| c.is_finite()),
+            Self::Edges(edges) => edges.iter().flatten().all(|c| c.is_finite()),
+        }
+    }
+
+    /// A bound of its length: the sum of the magnitudes of its coordinates.
+    fn length_at_most(&self) -> f64 {
+        match self {
+            Self::Space(u) | Self::First(u) | Self::Second(u) => sum_norm(u),
+            Self::Edges([e, f]) => sum_norm(e) * sum_norm(f),
+        }
+    }
 }
 
 impl FirstContact {

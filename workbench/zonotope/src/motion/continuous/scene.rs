@@ -16,8 +16,7 @@ use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::lanes::extreme_sum;
-use crate::numeric::linear::{dot, sum_norm};
-use crate::numeric::tolerance::POSE_ROUNDING;
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, OperationCounts, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
@@ -107,11 +106,12 @@ impl<'a> Scene<'a> {
         if bound.iter().all(|c| c.is_positive()) {
             return true;
         }
-        // a bound that is infinite or NaN says nothing, and neither does a margin beyond the doubles
+        // a bound that is infinite or NaN says nothing, and neither do numbers beyond the doubles
         let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
         let margins = self.margins(times);
-        let is_finite_margin = |m: &Margin| m.distance.is_finite() && m.axis.iter().all(|c| c.is_finite());
-        let are_finite = margins.iter().all(is_finite_margin) && margin::along(&margins, direction).is_finite();
+        let are_finite = direction.is_finite()
+            && margins.iter().all(Margin::is_finite)
+            && margin::along(&margins, direction).is_finite();
         if bound.iter().any(is_refuted) || !are_finite {
             return false;
         }
@@ -212,18 +212,22 @@ impl<'a> Scene<'a> {
         margin == 0.0 && angles_off == [0.0; 2] && meeting::is_proved(bodies, [&p, &q], witness)
     }
 
-    /// A bound above the distance of the bodies at a time: that of the rounded placements, and by how much rounding
-    /// and a rotation at constant rate put them off; infinite where it leaves the range of doubles.
+    /// A bound above the distance of the bodies at a time: that of the points which are nearest as the placements are
+    /// rounded, as the motions put them, and by how much a rotation at constant rate may put them off; infinite where
+    /// it leaves the range of doubles.
     pub(super) fn distance_at_most(&self, time: f64, tally: &mut dyn Tally) -> f64 {
-        let Some(distance) = self.proximity_at(time, tally).map(|proximity| proximity.distance()) else {
-            return f64::INFINITY;
+        let nearest =
+            self.with_query(time, tally, |query, counts| match proximity(query, counts).with_nearest_basis(query) {
+                Proximity::Disjoint(gap) => gap.nearest.coefficients,
+                Proximity::Touching(witness) | Proximity::Overlapping(witness) => witness.coefficients,
+            });
+        let Some(coefficients) = nearest else { return f64::INFINITY };
+        let arcs = self.motions.map(|motion| motion.exact_arc([time; 2], Clock::Kept));
+        let apart = meeting::distance_above(self.zonotopes(), arcs.each_ref(), coefficients);
+        let bound = match self.margin([time; 2]) {
+            0.0 => apart,
+            margin => (apart + margin).next_up(),
         };
-        let size = [0, 1].map(|i| {
-            let body = self.bodies[i];
-            let moved = self.motions[i].pose_at(time).map_or(f64::INFINITY, |pose| sum_norm(&pose.translation()));
-            body.magnitude() + sum_norm(&body.center()) + moved
-        });
-        let bound = (distance + POSE_ROUNDING * (size[0] + size[1]) + self.margin([time; 2])).next_up();
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 }

@@ -20,6 +20,6 @@ mod ring;
 
 pub(crate) use inverse::{inverse, invert};
 pub(crate) use minors::{determinant, hyperplane_normal};
-pub(crate) use norms::{euclidean_norm, max_norm, sum_norm};
+pub(crate) use norms::{euclidean_norm, max_norm, norm_of_any_size, sum_norm};
 pub(crate) use products::{add_multiple, cross, cyclic_cross_products, dot, sum_of_products};
 pub(crate) use ring::{Ring, ring_of_values};

@@ -5,7 +5,7 @@
 //! that it finds are known with the bound of all doubles of the stretch.
 
 use super::super::SeparatingDirection;
-use super::super::doubles::length_at_most;
+use super::super::doubles::doubt_along;
 use super::super::gap::{Matrix, Stretch};
 use super::super::parts::body::Body;
 use super::super::simplex_search::{Lowest, Search, search};
@@ -87,7 +87,7 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
                 dot(u, &vertices[k]) - margin * (square[0] + square[1]) * INVERSE_BINOMIALS[k]
             });
             let least = (1..6).fold(0, |least, k| if excess[k] < excess[least] { k } else { least });
-            is_proved = bernstein::is_above(&excess, self.rounding * length_at_most(&direction));
+            is_proved = bernstein::is_above(&excess, doubt_along(self.rounding, &direction));
             Lowest { point: vertices[least], is_found: is_proved || excess[least] > 0.0 }
         });
         let Search::Found(u) = found else { return None };

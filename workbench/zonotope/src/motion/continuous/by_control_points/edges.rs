@@ -3,7 +3,8 @@
 use super::super::SeparatingDirection;
 use super::super::gap::Stretch;
 use crate::motion::quaternion::{image, polar_rotation, sum, transposed_image};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, dot, max_norm};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 
 /// The number of edges of each body that are tried.
 const EDGE_LIMIT: usize = 2;
@@ -37,5 +38,11 @@ fn orthogonal_generators(generators: &[[f64; 3]], direction: &[f64; 3]) -> Vec<[
         nearest.truncate(EDGE_LIMIT);
     }
     nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
-    nearest.into_iter().map(|(_, g)| g).collect()
+    nearest.into_iter().map(|(_, g)| of_ordinary_size(g)).collect()
+}
+
+/// The generator times a power of two, the largest coordinate between 1 and 2: products of directions must not vanish.
+fn of_ordinary_size(g: [f64; 3]) -> [f64; 3] {
+    let exponent = binary_exponent(max_norm(&g)).unwrap_or(0);
+    g.map(|c| scale_by_power_of_two(c, -i64::from(exponent)))
 }

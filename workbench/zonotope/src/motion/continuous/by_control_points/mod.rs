@@ -298,10 +298,11 @@ impl Search<'_, '_> {
         self.scene.is_proved(stretch, times, direction, self.tally)
     }
 
-    /// Whether the bodies are so near at a time that finer stretches would tell little.
+    /// Whether the bodies, as they are rounded at a time, are so near that finer stretches would tell little.
     fn is_grazing(&mut self, time: f64) -> bool {
         let size: f64 = self.scene.bodies.iter().map(|body| body.magnitude()).sum();
-        self.scene.distance_at_most(time, self.tally) <= GRAZING_DISTANCE * size
+        let proximity = self.scene.proximity_at(time, self.tally);
+        proximity.is_some_and(|proximity| proximity.distance() <= GRAZING_DISTANCE * size)
     }
 
     /// The answer where a stretch is not decided.

@@ -6,7 +6,7 @@
 
 use super::super::SeparatingDirection;
 use crate::numeric::linear::{cross, sum_norm};
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, MARGIN_AXIS_ROUNDING};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, MARGIN_AXIS_ROUNDING, MODERATE_SIZES};
 
 /// A bound of how far points of a body are from their places on a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +21,11 @@ impl Margin {
     /// The margin of a body that is where the stretch puts it.
     pub(in crate::motion::continuous) const NONE: Self = Self { distance: 0.0, axis: [0.0; 3] };
 
+    /// Whether it is a bound: angles and reaches of any size may leave the range of doubles.
+    pub(in crate::motion::continuous) fn is_finite(&self) -> bool {
+        self.distance.is_finite() && self.axis.iter().all(|c| c.is_finite())
+    }
+
     /// The bound along a direction that keeps its angle to the axis, times the direction's length.
     fn along(&self, u: &[f64; 3]) -> f64 {
         // the sum of the magnitudes of the coordinates is at least the length
@@ -33,18 +38,22 @@ impl Margin {
     }
 }
 
-/// How much less the gap of two bodies along a direction may be than on the stretch.
+/// How much less the gap of two bodies along a direction may be than on the stretch; infinite where products with the
+/// direction may vanish.
 pub(in crate::motion::continuous) fn along(margins: &[Margin; 2], direction: &SeparatingDirection) -> f64 {
     let [first, second] = margins;
     if (first.distance, second.distance) == (0.0, 0.0) {
         return 0.0;
     }
+    if !MODERATE_SIZES.contains(&direction.length_at_most()) {
+        return f64::INFINITY;
+    }
     let bound = match direction {
         SeparatingDirection::Space(u) => first.along(u) + second.along(u),
         SeparatingDirection::First(u) => first.along(u) + second.along_any(sum_norm(u)),
         SeparatingDirection::Second(u) => first.along_any(sum_norm(u)) + second.along(u),
-        SeparatingDirection::Edges([e, f]) => {
-            let length = sum_norm(e) * sum_norm(f);
+        SeparatingDirection::Edges(_) => {
+            let length = direction.length_at_most();
             first.along_any(length) + second.along_any(length)
         }
     };

@@ -10,8 +10,8 @@
 use super::body::Body;
 use crate::motion::arc::Arc;
 use crate::motion::quaternion::{composition, conjugate};
-use crate::numeric::linear::{cross, dot, euclidean_norm};
-use crate::numeric::tolerance::RATE_ROUNDING;
+use crate::numeric::linear::{cross, dot, norm_of_any_size, sum_norm};
+use crate::numeric::tolerance::{MODERATE_SIZES, RATE_ROUNDING};
 
 /// A body that turns about an axis and whose base goes along a segment, for s from 0 to 1.
 #[derive(Debug, Clone, Copy)]
@@ -42,28 +42,31 @@ impl Rates {
         let [w, axis_x, axis_y, axis_z] = composition(to, &conjugate(from));
         let [_, own_x, own_y, own_z] = composition(&conjugate(from), to);
         let (axis, own) = ([axis_x, axis_y, axis_z], [own_x, own_y, own_z]);
-        let sine = euclidean_norm(&axis);
+        let squares = [from, to].map(|q| dot(q, q));
+        if !squares.iter().all(|square| MODERATE_SIZES.contains(square)) {
+            // quaternions of which products vanish: nothing is known of the rate
+            let unknown = f64::INFINITY;
+            return Self { angle: unknown, rate: unknown, change: unknown, ..still };
+        }
+        let sine = norm_of_any_size(&axis);
         if sine == 0.0 {
             return still;
         }
         let unit = |v: [f64; 3]| {
-            let length = euclidean_norm(&v);
+            let length = norm_of_any_size(&v);
             v.map(|c| c / length)
         };
         let step: [f64; 4] = std::array::from_fn(|k| to[k] - from[k]);
         let (at_begin, at_end) = (dot(from, &step), dot(to, &step));
-        let least = if at_begin < 0.0 && at_end > 0.0 {
-            sine * sine / dot(&step, &step)
-        } else {
-            dot(from, from).min(dot(to, to))
-        };
+        let least =
+            if at_begin < 0.0 && at_end > 0.0 { sine * sine / dot(&step, &step) } else { squares[0].min(squares[1]) };
         let rate = 2.0 * sine / least * RATE_ROUNDING;
         let change = rate * 2.0 * at_begin.abs().max(at_end.abs()) / least * RATE_ROUNDING;
         let own = unit(own);
-        let off_axis = |v: &[f64; 3]| euclidean_norm(&cross(&own, v));
+        let off_axis = |v: &[f64; 3]| norm_of_any_size(&cross(&own, v));
         let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
         let reach = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
-        let size = body.magnitude() + arm.iter().map(|c| c.abs()).sum::<f64>();
+        let size = body.magnitude() + sum_norm(&body.center()) + sum_norm(&arc.arm) / arc.weight;
         let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0) * size;
         Self { axis: unit(axis), angle: 2.0 * libm::atan(sine / w.max(0.0)), rate, change, reach, travel: still.travel }
     }
@@ -79,6 +82,6 @@ impl Rates {
     }
 
     fn off_axis(&self, u: &[f64; 3]) -> f64 {
-        euclidean_norm(&cross(&self.axis, u)) + (RATE_ROUNDING - 1.0)
+        norm_of_any_size(&cross(&self.axis, u)) + (RATE_ROUNDING - 1.0)
     }
 }
