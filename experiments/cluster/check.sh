@@ -23,7 +23,7 @@ same_bytes() {
   diff <(deterministic "$one") <(deterministic "$1-merged") && echo "$2: 16 shards have the bytes of one run"
 }
 # The process that makes a shard in a folder.
-being_made() { pgrep -f -- "--shard [0-9]+/16 --out $1" | head -n 1; }
+being_made() { pgrep -f -- "reproduce .*--out $1( |$)" | head -n 1; }
 wait_for() { for _ in $(seq 600); do "$@" >/dev/null 2>&1 && return; sleep 0.1; done; echo "waited in vain: $*"; return 1; }
 
 by_slurm() {
@@ -72,7 +72,7 @@ by_hyperqueue() {
   wait_for bash -c "ls '$OUT'/*.shard"
   kill -KILL "$killed"
   # Tasks that outlive their worker would still be at their shards.
-  wait_for bash -c "! pgrep -f -- '--shard [0-9]+/16 --out $OUT'"
+  wait_for bash -c "! pgrep -f -- 'reproduce .*--out $OUT'"
   "$1" "$here/hyperqueue_shards.py" >"$work/job.log" 2>&1 || { cat "$work/job.log"; return 1; }
   same_bytes "$OUT" "HyperQueue, its workers killed midway and the job submitted again"
 }

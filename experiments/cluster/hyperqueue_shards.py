@@ -11,6 +11,6 @@ for _ in range(0 if cluster is None else int(value("WORKERS", "2"))):
     cluster.start_worker(WorkerConfig(cores=1))
 job, client = Job(max_fails=None), Client(server) if cluster is None else cluster.client()
 for i in range(count):
-    words = ["reproduce", "--profile", value("PROFILE", "full"), "--threads", "1", "--shard", f"{i}/{count}", "--out", out]
-    job.program([program, *words], stdout=None, stderr=None)
+    words = ["reproduce", "--profile", value("PROFILE", "full"), "--threads", "1", "--out", out]
+    job.program([program, *words, "--shard", f"{i}/{count}"], stdout=None, stderr=None)
 client.wait_for_jobs([client.submit(job)])

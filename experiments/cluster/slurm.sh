@@ -3,8 +3,8 @@
 #SBATCH --array=0-15
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
-# A task of the array does a shard; sbatch --array=0-99 makes a hundred of them. SHARDS says how many there are where the
-# array is a part of them.
+# A task of the array does a shard; sbatch --array=0-99 makes a hundred of them. SHARDS says how many there are where
+# the array is a part of them.
 set -euo pipefail
 out=${OUT:-out/shards}
 "${ZONOBENCH:-zonobench}" reproduce --profile "${PROFILE:-full}" --threads "${SLURM_CPUS_PER_TASK:-1}" \
