@@ -112,6 +112,11 @@ impl CountRow {
         }
     }
 
+    /// Whether there is no answer: the instance could not be made, or the method ended with an error.
+    pub fn has_failed(&self) -> bool {
+        matches!(self.outcome, CountOutcome::Failed { .. })
+    }
+
     /// Why the row is no evidence: the error, or what is wrong with the answer.
     pub fn fault(&self) -> Option<&str> {
         match &self.outcome {

@@ -5,6 +5,7 @@
 pub mod body_questions;
 pub mod dice;
 pub mod direction_families;
+pub mod judged;
 pub mod kernel_twin;
 pub mod line_families;
 pub mod point_families;

@@ -139,6 +139,10 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             }
             json!({"a": a, "b": b, "motion": motion})
         }
+        "mesh" => {
+            let input = json!({"a": mesh(dice, style, some), "b": mesh(dice, style, 5 - some)});
+            if dice.one_in(2) { with(input, "pairs", json!(true)) } else { input }
+        }
         "hausdorff" => {
             let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4 - count));
             // Of some pairs the second body is the first one and more.
@@ -191,6 +195,22 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
         }
         other => panic!("no question is made of the kind `{other}`"),
     }
+}
+
+/// A mesh with so many triangles, now and then flat ones and repeated ones, and perhaps a pose.
+fn mesh(dice: &mut Dice, style: Style, count: usize) -> Value {
+    let vertices = 1 + dice.below(5);
+    let triangles: Vec<[usize; 3]> = (0..count).map(|_| [(); 3].map(|()| dice.below(vertices))).collect();
+    let mut mesh = json!({"vertices": vectors(dice, style, 3, vertices), "triangles": triangles});
+    if dice.one_in(3) {
+        mesh["pose"] = json!({"translation": vector(dice, style, 3)});
+    }
+    if dice.one_in(3) {
+        let whole = |dice: &mut Dice| dice.below(3) as f64 - 1.0;
+        let matrix: Vec<Vec<f64>> = (0..3).map(|_| (0..3).map(|_| whole(dice)).collect()).collect();
+        mesh["pose"] = json!({"matrix": matrix, "translation": vector(dice, style, 3)});
+    }
+    mesh
 }
 
 /// A motion of one or two pieces in small whole numbers, each of at most half a turn.

@@ -66,8 +66,28 @@ pub enum GjkAnswer<const D: usize> {
     GaveUp,
 }
 
+/// One step: the extreme point of Z − p in a direction, and the point of the simplex nearest to the origin with it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step<const D: usize> {
+    /// The direction.
+    pub direction: [f64; D],
+    /// The extreme point.
+    pub vertex: [f64; D],
+    /// The nearest point; none in the step that ends with a plane between, or that gives up.
+    pub nearest: Option<[f64; D]>,
+}
+
 /// The belief about a displacement; a step is counted for each evaluation of the support function.
 pub fn locate<const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) -> GjkAnswer<D> {
+    traced(question, tally, &mut |_| ())
+}
+
+/// The belief about a displacement, with each step told as it is done.
+pub fn traced<const D: usize>(
+    question: &Query<'_, D>,
+    tally: &mut dyn Tally,
+    told: &mut dyn FnMut(Step<D>),
+) -> GjkAnswer<D> {
     let [first, second] = question.runs();
     let point: [f64; D] = std::array::from_fn(|i| question.to()[i] - question.from()[i]);
     let mut extreme = |direction: &[f64; D]| -> [f64; D] {
@@ -85,10 +105,13 @@ pub fn locate<const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) ->
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         let vertex = extreme(&direction);
-        if dot(&vertex, &direction) < 0.0 {
+        let separates = dot(&vertex, &direction) < 0.0;
+        let nearest = if separates { None } else { simplex.add(vertex) };
+        told(Step { direction, vertex, nearest });
+        if separates {
             return GjkAnswer::Disjoint { direction };
         }
-        let Some(nearest) = simplex.add(vertex) else { return GjkAnswer::GaveUp };
+        let Some(nearest) = nearest else { return GjkAnswer::GaveUp };
         let distance = dot(&nearest, &nearest);
         if !distance.is_finite() {
             return GjkAnswer::GaveUp;

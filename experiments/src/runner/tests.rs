@@ -1,8 +1,9 @@
 use super::*;
 use crate::definition::{Case, Measurement, PerProfile, Profile, Tabulated, TimedWork, Timing, Variant, Verdict};
-use crate::record::{CountOutcome, TimeOutcome};
+use crate::record::{CountOutcome, CountRow, TimeOutcome};
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Sums coordinates; `wrong` says so, `panics` panics, `fails` returns an error, `drifts` times another answer.

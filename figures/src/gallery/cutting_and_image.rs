@@ -4,12 +4,12 @@ use std::num::NonZeroU32;
 
 use crate::duality::{DualPair, arrangement_frame, draw_arrangement, draw_tiles, number_tiles, tiling_frame};
 use crate::figure::{Figure, FigureError, FigureInput};
-use crate::scene::page::{Frame, PageBox, PagePoint};
+use crate::scene::page::{PageBox, PagePoint};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{Panel, Scene};
 use crate::style::{Color, GREY, PAPER, Paint, SERIES, text_size};
-use zonotope::arrangement::cutting::{Cutting, Trapezoid, Wall, cutting};
-use zonotope::arrangement::{LineArrangement, LineIndex};
+use zonotope::arrangement::LineArrangement;
+use zonotope::arrangement::cutting::{Cutting, cutting};
 
 /// The cutting and its image.
 pub const FIGURE: Figure = Figure {
@@ -62,7 +62,8 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 
     let world = arrangement_frame(&pair, window(0.0), None);
     for (number, trapezoid) in cut.trapezoids().iter().enumerate() {
-        let corners = corners_in(window(0.0), &world, &lines, trapezoid);
+        let seen = [window(0.0).min, window(0.0).max].map(|place| world.world_at(place));
+        let corners = trapezoid.outline(&lines, seen);
         Panel::new(&mut scene, world).polygon(&corners, &paint(number));
     }
     draw_arrangement(&mut scene, window(0.0), &pair, None);
@@ -98,53 +99,4 @@ fn quarters(pair: &DualPair, cut: &Cutting<'_>) -> Vec<(usize, Vec<[f64; 2]>)> {
         }
     }
     found
-}
-
-/// The corners of the part of a trapezoid that is in a window.
-fn corners_in(window: PageBox, frame: &Frame, lines: &LineArrangement<'_>, trapezoid: &Trapezoid) -> Vec<[f64; 2]> {
-    let [low, high] = [window.min, window.max].map(|place| frame.world_at(place));
-    let whole = vec![[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]];
-    let row = |line: LineIndex| GENERATOR_ROWS[line.position()];
-    let abscissa = |wall: &Wall| match wall {
-        Wall::Through([a, b]) => {
-            let [x, _, w] = lines.exact_line(*a).meet(&lines.exact_line(*b));
-            x.ratio(&w)
-        }
-        Wall::Along(line) => -row(*line)[2] / row(*line)[0],
-    };
-    // the second coordinates of the generators are positive: a point has a positive value above a line
-    let above = |line: LineIndex| move |p: &[f64; 2]| row(line)[0] * p[0] + row(line)[1] * p[1] + row(line)[2];
-    let mut corners = whole;
-    if let Some(wall) = &trapezoid.left {
-        let x = abscissa(wall);
-        corners = clipped(&corners, |p| p[0] - x);
-    }
-    if let Some(wall) = &trapezoid.right {
-        let x = abscissa(wall);
-        corners = clipped(&corners, |p| x - p[0]);
-    }
-    if let Some(line) = trapezoid.bottom {
-        corners = clipped(&corners, above(line));
-    }
-    if let Some(line) = trapezoid.top {
-        corners = clipped(&corners, |p| -above(line)(p));
-    }
-    corners
-}
-
-/// The part of a convex polygon where a linear function is not negative.
-fn clipped(corners: &[[f64; 2]], value: impl Fn(&[f64; 2]) -> f64) -> Vec<[f64; 2]> {
-    let mut kept = Vec::with_capacity(corners.len() + 1);
-    for (index, corner) in corners.iter().enumerate() {
-        let next = &corners[(index + 1) % corners.len()];
-        let [here, there] = [value(corner), value(next)];
-        if here >= 0.0 {
-            kept.push(*corner);
-        }
-        if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
-            let part = here / (here - there);
-            kept.push([0, 1].map(|k| corner[k] + part * (next[k] - corner[k])));
-        }
-    }
-    kept
 }

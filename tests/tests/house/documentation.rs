@@ -1,4 +1,5 @@
-//! Every algorithm of the library says the same things about itself, in the same order.
+//! Every algorithm of the library says the same things about itself, in the same order; what all methods of a problem
+//! have in common is said once, by the problem.
 
 use tests::sources::{LIBRARY, Source, files};
 
@@ -8,15 +9,18 @@ const HEADINGS: [&str; 10] =
 /// The headings that are left out where there is nothing to say.
 const OPTIONAL: [&str; 2] = ["Errors", "Panics"];
 
-/// A file is an algorithm's if it is named like one, or has a counted function, or states a problem with all its parts.
+/// The headings that a problem's `mod.rs` may have for all its methods: the statement is the problem's.
+const OF_THE_PROBLEM: [&str; 4] = ["Statement", "Shapes", "Errors", "Checked by"];
+
+/// A file is an algorithm's if it is named like one, or has a counted function, or describes a method.
 fn is_algorithm(source: &Source) -> bool {
     let name = source.name();
     let folder = source.path.trim_start_matches(LIBRARY).trim_start_matches('/');
     let in_problem = folder.contains('/') && !folder.starts_with("numeric/");
     let named = name.starts_with("by_") || name == "brute_force.rs";
     let counted = source.code_lines().any(|(_, line)| line.starts_with("pub fn ") && line.contains("tally: &mut"));
-    let stated = headings(source).contains(&"Statement");
-    in_problem && name != "mod.rs" && !source.is_test() && (named || counted || stated)
+    let described = headings(source).contains(&"Method");
+    in_problem && name != "mod.rs" && !source.is_test() && (named || counted || described)
 }
 
 /// The text of the module's documentation without its code.
@@ -37,14 +41,23 @@ fn headings(source: &Source) -> Vec<&str> {
     prose(source).iter().filter_map(|line| line.strip_prefix("# ")).collect()
 }
 
+/// The headings of the problem that a method is in, which are the method's where it has none of its own.
+fn of_the_problem<'a>(source: &Source, sources: &'a [Source]) -> Vec<&'a str> {
+    let folder = source.path.trim_end_matches(source.name());
+    let problem = sources.iter().find(|other| other.path == format!("{folder}mod.rs"));
+    let said = problem.map(headings).unwrap_or_default();
+    said.into_iter().filter(|heading| OF_THE_PROBLEM.contains(heading)).collect()
+}
+
 #[test]
 fn algorithms_are_documented_under_the_agreed_headings() {
     let sources = files(LIBRARY, &[".rs"]);
     let mut algorithms = 0;
     for source in sources.iter().filter(|source| is_algorithm(source)) {
-        let found = headings(source);
+        let (found, of_problem) = (headings(source), of_the_problem(source, &sources));
+        let may_lack = |heading: &&str| OPTIONAL.contains(heading) || of_problem.contains(heading);
         let expected: Vec<&str> =
-            HEADINGS.into_iter().filter(|heading| !OPTIONAL.contains(heading) || found.contains(heading)).collect();
+            HEADINGS.into_iter().filter(|heading| !may_lack(heading) || found.contains(heading)).collect();
         assert_eq!(found, expected, "{}", source.path);
         algorithms += 1;
     }

@@ -47,6 +47,7 @@ fn every_command_is_listed() {
         "distance",
         "hausdorff",
         "collide",
+        "mesh",
         "sweep",
         "reduce",
         "inspect",

@@ -7,7 +7,7 @@ use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, 
 use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
 use crate::moving::{encounters, sweeps};
 use crate::rationals::{minus, vector, vectors};
-use crate::{enclosures, proximity};
+use crate::{enclosures, meshes, proximity};
 
 /// A right answer with one that was changed.
 struct Pair<'a> {
@@ -27,7 +27,7 @@ struct Row {
     judge: fn(&Pair<'_>, &mut Option<Known>) -> Judged,
 }
 
-const ROWS: [Row; 19] = [
+const ROWS: [Row; 20] = [
     Row {
         kind: "member",
         has_fields: |result| has(result, &["member", "status", "certificate"]) && of_location(result),
@@ -55,6 +55,7 @@ const ROWS: [Row; 19] = [
         has_fields: of_first_contact,
         judge: |pair, _| encounters::judged(pair.input, pair.changed),
     },
+    Row { kind: "mesh", has_fields: meshes::has_its_fields, judge: |pair, _| meshes::judged(pair.input, pair.changed) },
     Row {
         kind: "sweep",
         has_fields: |result| has(result, &["center", "generators"]),

@@ -12,6 +12,7 @@ mod errors;
 mod fields;
 mod judges;
 mod kinds;
+mod meshes;
 mod moving;
 mod mutants;
 mod mutation;

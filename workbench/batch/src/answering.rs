@@ -33,11 +33,11 @@ pub fn answer(question: &str) -> String {
 
 /// The data of a picture of [`PICTURES`](crate::PICTURES), asked for and answered like a question.
 pub fn picture(question: &str) -> String {
-    let drawn = |question: &Question| question.draw().map(|result| vec![("result", result)]);
+    let drawn = |question: &Question| question.draw().map(|sheet| vec![("result", sheet.into_json())]);
     respond(1, &line_of(question), drawn).content.to_string()
 }
 
-fn line_of(question: &str) -> Line {
+pub(super) fn line_of(question: &str) -> Line {
     let fits = question.len() <= MAX_LINE_BYTES;
     if fits { Line::Content(question.as_bytes().to_vec()) } else { Line::TooLong }
 }
@@ -51,10 +51,10 @@ pub fn answer_line(number: u64, line: &Line, seed: u64) -> Answer {
 }
 
 /// The answer to a line, with the fields that a question is answered with.
-fn respond(
+pub(super) fn respond(
     number: u64,
     line: &Line,
-    fields: impl Fn(&Question) -> Result<Vec<(&'static str, Value)>, Refusal>,
+    fields: impl FnOnce(&Question) -> Result<Vec<(&'static str, Value)>, Refusal>,
 ) -> Answer {
     let mut content = Map::new();
     let outcome = match line {

@@ -165,6 +165,37 @@ impl<'a> Fields<'a> {
         self.object.field(name).map(|value| whole(value, &self.place.field(name), 1)).transpose()
     }
 
+    /// The lists of three whole numbers from 0 under `name`, each below 2^32.
+    pub(super) fn triples(&self, name: &str) -> Result<Vec<[u32; 3]>, Refusal> {
+        let (rows, place) = (self.limited(name)?, self.place.field(name));
+        let triple = |(index, row)| {
+            let place = place.element(index);
+            let numbers = list(row, &place)?;
+            let number = |(index, value)| {
+                let (place, number) = (place.element(index), whole(value, &place.element(index), 0)?);
+                u32::try_from(number)
+                    .map_err(|_| Refusal::bad_input(format!("{place} is {number}, above all positions")))
+            };
+            let numbers: Vec<u32> = (0..).zip(numbers).map(number).collect::<Result<_, _>>()?;
+            let count = numbers.len();
+            let message = || format!("{place} has {count} corners, not 3");
+            numbers.try_into().map_err(|_| Refusal::new(Code::DimensionMismatch, message()))
+        };
+        (0..).zip(rows).map(triple).collect()
+    }
+
+    /// The truth under a name that may be absent, which is false then.
+    pub(super) fn flag(&self, name: &str) -> Result<bool, Refusal> {
+        match self.object.field(name) {
+            None => Ok(false),
+            Some(Tree::Bool(value)) => Ok(*value),
+            Some(other) => {
+                let place = self.place.field(name);
+                Err(Refusal::bad_input(format!("`{place}` is {}, not true or false", other.describe())))
+            }
+        }
+    }
+
     /// The number of coordinates of the first vector under `name`, if there is any.
     pub(super) fn dimension_of_first(&self, name: &str) -> Result<Option<usize>, Refusal> {
         let first = self.list(name)?.first();

@@ -6,6 +6,8 @@
 //! read the JSON already.
 //!
 //! [`picture`] makes data to draw, which is no claim and has no check: one row of [`PICTURES`] each.
+//! [`picture_in_columns`] makes the same without writing numbers as text, and a [`HeldBody`] is read once and asked
+//! about many points, for a host that draws while somebody drags.
 //!
 //! Reasons to refuse a question are looked for in this order: a line that is too long or is not JSON; a number that
 //! is not finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of
@@ -26,6 +28,7 @@
 
 mod answering;
 mod claimed;
+mod columns;
 mod dimension;
 mod fields;
 pub mod json;
@@ -41,9 +44,10 @@ mod refusal;
 mod transcript;
 
 pub use answering::{Answer, Line, answer, answer_line, picture};
+pub use columns::{hold, locate_in_columns, picture_in_columns};
 pub use dimension::MAX_DIMENSION;
 pub use fields::read_pose;
-pub use kinds::{KINDS, Kind, min_area_result, read_motion};
+pub use kinds::{HeldBody, KINDS, Kind, min_area_result, read_motion};
 pub use limits::{MAX_LINE_BYTES, MAX_VECTORS};
 pub use nearest::{did_you_mean, nearest};
 pub use pictures::{PICTURES, Picture};

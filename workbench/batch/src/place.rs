@@ -54,13 +54,15 @@ impl fmt::Display for Place {
                     element = match name.as_str() {
                         "k" => "entry",
                         "matrix" => "row",
+                        "triangles" => "corner",
                         _ => "coordinate",
                     };
                     words.push(name.clone());
                 }
                 Step::Element(index) if plural => {
                     let name = words.pop().unwrap_or_default();
-                    words.push(format!("{} {}", name.trim_end_matches('s'), index + 1));
+                    let one = if name == "vertices" { "vertex" } else { name.trim_end_matches('s') };
+                    words.push(format!("{one} {}", index + 1));
                     plural = false;
                 }
                 Step::Element(index) => {

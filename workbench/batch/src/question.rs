@@ -2,13 +2,12 @@
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
-use serde_json::Value;
 
 use super::fields::Fields;
-use super::kinds::{KINDS, Solution};
+use super::kinds::{HeldBody, KINDS, Solution};
 use super::names::plain;
 use super::nearest::did_you_mean;
-use super::pictures::PICTURES;
+use super::pictures::{PICTURES, Sheet};
 use super::place::{Place, Step};
 use super::refusal::{Code, Refusal};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
@@ -93,8 +92,16 @@ impl Question {
         (kind.solve)(&Fields::of_input(&input, kind.fields, kind.optional)?, method, seed)
     }
 
+    /// The body that the input is, or why it is none.
+    pub(super) fn held(&self) -> Result<HeldBody, Refusal> {
+        if self.kind != HeldBody::KIND {
+            return Err(self.unknown_kind("thing to hold", std::iter::once(HeldBody::KIND)));
+        }
+        HeldBody::read(&Fields::of_input(&self.input, &HeldBody::FIELDS, &[])?)
+    }
+
     /// The data of the picture, or why there is none.
-    pub(super) fn draw(&self) -> Result<Value, Refusal> {
+    pub(super) fn draw(&self) -> Result<Sheet, Refusal> {
         let picture = PICTURES.iter().find(|picture| picture.name == self.kind);
         let picture = picture.ok_or_else(|| self.unknown_kind("picture", PICTURES.iter().map(|p| p.name)))?;
         if self.method.is_some() {

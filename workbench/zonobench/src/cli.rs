@@ -4,7 +4,7 @@ use clap::{Parser, Subcommand};
 
 use crate::commands::{
     collide, compare, contains, distance, draw, enclose, explore, figure, hausdorff, inspect, intersect, list, merge,
-    records, reduce, reproduce, shell, solve, sweep, verify,
+    mesh, records, reduce, reproduce, shell, solve, sweep, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -45,6 +45,8 @@ pub enum Command {
     Hausdorff(hausdorff::Options),
     /// Tell whether two zonotopes in motion meet, and when first, with the proof.
     Collide(collide::Options),
+    /// Tell whether two meshes of triangles meet, in which pairs of triangles, or how far apart they are.
+    Mesh(mesh::Options),
     /// Find a zonotope around all placements of a zonotope that turns about an axis and translates.
     Sweep(sweep::Options),
     /// Find a zonotope of few generators around a zonotope.

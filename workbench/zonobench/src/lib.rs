@@ -76,6 +76,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Distance(options) => commands::distance::run(options),
         Command::Hausdorff(options) => commands::hausdorff::run(options),
         Command::Collide(options) => commands::collide::run(options),
+        Command::Mesh(options) => commands::mesh::run(options),
         Command::Sweep(options) => commands::sweep::run(options),
         Command::Reduce(options) => commands::reduce::run(options),
         Command::Inspect(options) => commands::inspect::run(options),

@@ -90,6 +90,7 @@
 //! | [`reduction`] | a zonotope of few generators around one of many | 5.2, Lemma 5.5 |
 //! | [`reduction::hausdorff`] | the Hausdorff distance of two zonotopes, between two bounds | 5.2, H(A, B) |
 //! | [`motion::space_time`] | a zonotope around all placements of a turning one | 6, Theorem 6.1 |
+//! | [`bvh`] | where two meshes of triangles meet, and how far apart they are, by hierarchies of bounding volumes | 1 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`hull::in_space`] | convex hull of points of space | 4.3, as what a body has to contain |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
@@ -116,13 +117,14 @@
 //! # Layers
 //!
 //! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
-//! then [`enclosing`] and [`collision`], then [`line_fit`] and [`motion`]; [`reduction`] stands on
+//! then [`enclosing`] and [`collision`], then [`line_fit`], [`motion`] and [`bvh`]; [`reduction`] stands on
 //! [`zonotope`].
 
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
 
 pub mod arrangement;
+pub mod bvh;
 pub mod collision;
 pub mod enclosing;
 pub mod hull;

@@ -30,6 +30,7 @@ examples! {
     posed_bodies: "../examples/posed_bodies.rs",
     prepared_bodies: "../examples/prepared_bodies.rs",
     readme: "../examples/readme.rs",
+    two_meshes: "../examples/two_meshes/main.rs",
     volume_of_a_turn: "../examples/volume_of_a_turn.rs",
 }
 

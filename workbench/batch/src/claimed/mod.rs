@@ -5,7 +5,7 @@ mod placed;
 mod reading;
 mod traced;
 
-pub(crate) use placed::Placed;
+pub(crate) use placed::{Placed, pose};
 pub(crate) use reading::{
     boolean, direction, exact_numbers, float, fractions, index, indices, member, planar, point, text, vector, vectors,
 };

@@ -41,7 +41,7 @@ impl Placed {
 }
 
 /// A pose, of which the matrix is the identity and the translation zero where they are absent.
-fn pose(tree: Traced<'_>, dimension: usize) -> Result<Pose, String> {
+pub(crate) fn pose(tree: Traced<'_>, dimension: usize) -> Result<Pose, String> {
     let row = |row: usize| (0..dimension).map(|column| f64::from(u8::from(row == column))).collect();
     let matrix = tree.field("matrix").map(|rows| vectors(rows, "matrix")).transpose()?;
     let translation = tree.field("translation").map(|moved| vector(moved, "translation")).transpose()?;

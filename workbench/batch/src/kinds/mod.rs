@@ -4,10 +4,12 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
+mod meshes;
 mod motion;
 
 use serde_json::Value;
 
+pub use collision::held::HeldBody;
 pub use enclosing::min_area::result as min_area_result;
 pub use motion::read_motion;
 
@@ -51,6 +53,7 @@ pub static KINDS: &[Kind] = &[
     collision::gauge::KIND,
     collision::distance::KIND,
     motion::collide::KIND,
+    meshes::mesh::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,

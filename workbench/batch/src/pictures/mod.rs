@@ -7,10 +7,13 @@
 mod lines_of_hull;
 mod picture;
 mod plane;
+mod prepared;
 mod searches;
+mod sheet;
 mod space;
 
 pub use picture::Picture;
+pub(crate) use sheet::{Part, Sheet, Table, Width, index};
 
 /// Every picture.
 pub static PICTURES: &[Picture] = &[
@@ -24,4 +27,7 @@ pub static PICTURES: &[Picture] = &[
     space::TILING,
     space::PLANE_OF_DIRECTIONS,
     searches::THEOREM_5_2,
+    prepared::CUTTING,
+    prepared::DIRECTION_TREE,
+    prepared::HIERARCHY,
 ];

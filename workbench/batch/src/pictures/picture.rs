@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::sheet::Sheet;
 use crate::fields::Fields;
 use crate::json::vector_to_json;
 use crate::refusal::Refusal;
@@ -16,7 +17,7 @@ pub struct Picture {
     /// The fields that its input must have.
     pub fields: &'static [&'static str],
     /// Makes the data.
-    pub(crate) draw: fn(&Fields<'_>) -> Result<Value, Refusal>,
+    pub(crate) draw: fn(&Fields<'_>) -> Result<Sheet, Refusal>,
 }
 
 /// Vectors as a JSON list.

@@ -6,6 +6,7 @@ use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 
 use super::lines_of_hull::Hull;
 use super::picture::{Picture, vectors};
+use super::sheet::Sheet;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::refusal::Refusal;
@@ -14,7 +15,7 @@ pub(super) const ZONOGON: Picture = Picture {
     name: "zonogon",
     summary: "the vertices of a zonotope of the plane",
     fields: &["center", "generators"],
-    draw: |fields| Ok(json!({"vertices": vectors(&fields.zonotope::<2>()?.vertices())})),
+    draw: |fields| Ok(json!({"vertices": vectors(&fields.zonotope::<2>()?.vertices())}).into()),
 };
 
 pub(super) const CENTERED_ZONOGON: Picture = Picture {
@@ -24,7 +25,7 @@ pub(super) const CENTERED_ZONOGON: Picture = Picture {
     draw: centered_zonogon,
 };
 
-fn centered_zonogon(fields: &Fields<'_>) -> Result<Value, Refusal> {
+fn centered_zonogon(fields: &Fields<'_>) -> Result<Sheet, Refusal> {
     let hull = Hull::of(fields)?;
     let zonogon = CenteredZonogon::new(&hull.hull, &hull.farthest, fields.vector::<2>("center")?, &mut ());
     let places = zonogon.boundary().zip(zonogon.vertices());
@@ -38,7 +39,7 @@ fn centered_zonogon(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let mut content = hull.to_json();
     content["area"] = to_json(zonogon.exact_area().to_f64());
     content["boundary"] = boundary.collect();
-    Ok(content)
+    Ok(content.into())
 }
 
 pub(super) const LEVEL_SETS: Picture = Picture {
@@ -49,7 +50,7 @@ pub(super) const LEVEL_SETS: Picture = Picture {
         let hull = Hull::of(fields)?;
         let sets = AreaFunction::new(&hull.hull, &hull.farthest).level_sets(&fields.numbers("levels")?);
         let polygons: Vec<Value> = sets.iter().map(|polygon| vectors(polygon)).collect();
-        Ok(json!({"polygons": polygons}))
+        Ok(json!({"polygons": polygons}).into())
     },
 };
 
@@ -61,6 +62,6 @@ pub(super) const AREA_ALONG: Picture = Picture {
         let hull = Hull::of(fields)?;
         let bends = AreaFunction::new(&hull.hull, &hull.farthest).along(fields.vector("from")?, fields.vector("to")?);
         let list = |number: fn(&Bend) -> f64| -> Value { bends.iter().map(|bend| to_json(number(bend))).collect() };
-        Ok(json!({"at": list(|bend| bend.at), "area": list(|bend| bend.area)}))
+        Ok(json!({"at": list(|bend| bend.at), "area": list(|bend| bend.area)}).into())
     },
 };

@@ -8,6 +8,7 @@ use zonotope::lad::by_slope_selection::Side;
 
 use super::lines_of_hull::Hull;
 use super::picture::{Picture, optional, vectors};
+use super::sheet::Sheet;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::refusal::{Code, Refusal};
@@ -22,13 +23,13 @@ pub(super) const THEOREM_4_5: Picture = Picture {
     draw: least_area_search,
 };
 
-fn least_area_search(fields: &Fields<'_>) -> Result<Value, Refusal> {
+fn least_area_search(fields: &Fields<'_>) -> Result<Sheet, Refusal> {
     let hull = Hull::of(fields)?;
     let bisectors = hull.bisectors();
     let mut content = hull.to_json();
     if !hull.hull.has_area() {
         content["steps"] = json!([]);
-        return Ok(content);
+        return Ok(content.into());
     }
     let steps = bisectors.search_by_slope_selection(DEFAULT_SEED);
     content["steps"] = steps
@@ -52,7 +53,7 @@ fn least_area_search(fields: &Fields<'_>) -> Result<Value, Refusal> {
         let points: Vec<[f64; 2]> = bisectors.candidates().iter().map(|candidate| candidate.point).collect();
         content["vertices"] = vectors(&points);
     }
-    Ok(content)
+    Ok(content.into())
 }
 
 pub(super) const PRUNING: Picture = Picture {
@@ -62,7 +63,7 @@ pub(super) const PRUNING: Picture = Picture {
     draw: pruning,
 };
 
-fn pruning(fields: &Fields<'_>) -> Result<Value, Refusal> {
+fn pruning(fields: &Fields<'_>) -> Result<Sheet, Refusal> {
     let hull = Hull::of(fields)?;
     let limit = fields.count("line_search_limit")?;
     let limit = usize::try_from(limit).map_err(|_| Refusal::new(Code::TooLarge, format!("{limit} lines")))?;
@@ -72,7 +73,7 @@ fn pruning(fields: &Fields<'_>) -> Result<Value, Refusal> {
         .iter()
         .map(|cell| json!({"lines": cell.lines, "crossing": cell.crossing, "corners": vectors(&cell.corners)}))
         .collect();
-    Ok(content)
+    Ok(content.into())
 }
 
 pub(super) const THEOREM_5_2: Picture = Picture {
@@ -82,7 +83,7 @@ pub(super) const THEOREM_5_2: Picture = Picture {
     draw: separator_search,
 };
 
-fn separator_search(fields: &Fields<'_>) -> Result<Value, Refusal> {
+fn separator_search(fields: &Fields<'_>) -> Result<Sheet, Refusal> {
     let body = fields.zonotope::<3>()?;
     let query = Query::of_point(fields.vector("point")?, &body).expect("the numbers of a question are finite");
     let trace = by_slope_selection::trace(&query, DEFAULT_SEED);
@@ -112,10 +113,11 @@ fn separator_search(fields: &Fields<'_>) -> Result<Value, Refusal> {
             "depth": to_json(tile.depth),
         })
     });
-    Ok(json!({
+    let content = json!({
         "status": trace.location.status().name(),
         "swapped": trace.swapped,
         "steps": steps.collect::<Value>(),
         "found": found.collect::<Value>(),
-    }))
+    });
+    Ok(content.into())
 }

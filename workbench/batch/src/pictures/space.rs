@@ -1,13 +1,14 @@
 //! Pictures of zonotopes in space: their faces, the tiling with its dual arrangement, the plane of directions.
 
 use serde_json::{Value, json};
-use zonotope::arrangement::tiling::by_face_lattice::{FacetTile, TileEdge, facet_tiling};
+use zonotope::arrangement::tiling::by_face_lattice::{FacetTile, facet_tiling};
 use zonotope::collision::Query;
 use zonotope::collision::by_lad::direction_plane;
 use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Zone, faces};
 
 use super::picture::{Picture, optional, vectors};
+use super::sheet::{Part, Sheet, Table, index};
 use crate::json::{to_json, vector_to_json};
 use crate::refusal::{Code, Refusal};
 
@@ -31,7 +32,7 @@ pub(super) const FACES: Picture = Picture {
     },
 };
 
-fn refuse_many(body: &Zonotope<3>) -> Result<(), Refusal> {
+pub(super) fn refuse_many(body: &Zonotope<3>) -> Result<(), Refusal> {
     let count = body.generators().len();
     if count <= LISTED_GENERATOR_LIMIT {
         return Ok(());
@@ -46,10 +47,10 @@ fn nonzero(body: &Zonotope<3>) -> Vec<usize> {
 }
 
 /// A point, or a segment, which is an edge of one zone.
-fn no_facets(dimension: u8, points: &[[f64; 3]], zone: &[usize]) -> Value {
+fn no_facets(dimension: u8, points: &[[f64; 3]], zone: &[usize]) -> Sheet {
     let edges = if zone.is_empty() { json!([]) } else { json!([{"ends": [0, 1], "zone": 0, "facets": [null, null]}]) };
     let zones = if zone.is_empty() { json!([]) } else { json!([zone]) };
-    json!({
+    let content = json!({
         "dimension": dimension,
         "vertices": vectors(points),
         "edges": edges,
@@ -57,34 +58,32 @@ fn no_facets(dimension: u8, points: &[[f64; 3]], zone: &[usize]) -> Value {
         "facet_zones": [],
         "opposite_facets": [],
         "zones": zones,
-    })
+    });
+    content.into()
 }
 
-fn of_lattice(dimension: u8, lattice: &FaceLattice) -> Value {
+fn of_lattice(dimension: u8, lattice: &FaceLattice) -> Sheet {
     let facets = || (0..lattice.facet_count() as u32).map(Facet);
-    let edges = (0..lattice.edge_count() as u32).map(Edge).map(|edge| {
-        json!({
-            "ends": lattice.edge_ends(edge).map(|vertex| vertex.0),
-            "zone": lattice.edge_zone(edge).0,
-            "facets": lattice.edge_facets(edge).map(|facet| facet.0),
-        })
-    });
-    let loops: Vec<Vec<u32>> =
-        facets().map(|facet| lattice.facet_vertices(facet).map(|vertex| vertex.0).collect()).collect();
-    let facet_zones: Vec<Vec<u32>> =
-        facets().map(|facet| lattice.facet_zones(facet).map(|zone| zone.0).collect()).collect();
+    let edges = || (0..lattice.edge_count() as u32).map(Edge);
     let zones: Vec<Vec<usize>> = (0..lattice.zone_count() as u32)
         .map(|zone| lattice.zone_generators(Zone(zone)).map(|member| member.generator).collect())
         .collect();
-    json!({
-        "dimension": dimension,
-        "vertices": vectors(lattice.points()),
-        "edges": edges.collect::<Value>(),
-        "facets": loops,
-        "facet_zones": facet_zones,
-        "opposite_facets": facets().map(|facet| lattice.opposite_facet(facet).0).collect::<Vec<u32>>(),
-        "zones": zones,
-    })
+    Sheet::new([
+        ("dimension", Part::Plain(dimension.into())),
+        ("vertices", Part::Table(Table::vectors(lattice.points()))),
+        (
+            "edges",
+            Part::Records(vec![
+                ("ends", Table::pairs(edges().map(|edge| lattice.edge_ends(edge).map(|vertex| vertex.0)))),
+                ("zone", Table::indices(edges().map(|edge| lattice.edge_zone(edge).0))),
+                ("facets", Table::pairs(edges().map(|edge| lattice.edge_facets(edge).map(|facet| facet.0)))),
+            ]),
+        ),
+        ("facets", Part::Table(Table::rows(facets().map(|f| lattice.facet_vertices(f).map(|vertex| vertex.0))))),
+        ("facet_zones", Part::Table(Table::rows(facets().map(|f| lattice.facet_zones(f).map(|zone| zone.0))))),
+        ("opposite_facets", Part::Table(Table::indices(facets().map(|facet| lattice.opposite_facet(facet).0)))),
+        ("zones", Part::Plain(json!(zones))),
+    ])
 }
 
 pub(super) const TILING: Picture = Picture {
@@ -102,28 +101,36 @@ pub(super) const TILING: Picture = Picture {
             let line = if class.is_vertical { Value::Null } else { vector_to_json(&class.line) };
             json!({"generators": class.generators, "line": line})
         });
-        let edge = |edge: &TileEdge| {
-            let [ends, tiles] = [json!([edge.upper, edge.lower]), json!([edge.left, edge.right])];
-            json!({"class": edge.class, "ends": ends, "tiles": tiles})
-        };
-        let tile = |tile: &FacetTile| {
-            json!({
-                "classes": tile.classes,
-                "left": tile.left,
-                "right": tile.right,
-                "dual": vector_to_json(&tile.dual),
-                "facet": tile.facet.0,
-            })
-        };
-        Ok(json!({
-            "classes": classes.collect::<Value>(),
-            "zero": zero,
-            "vertices": vectors(&tiling.vertices),
-            "edges": tiling.edges.iter().map(edge).collect::<Value>(),
-            "tiles": tiling.tiles.iter().map(tile).collect::<Value>(),
-            "left_side": tiling.left_side,
-            "vertical_facets": tiling.vertical_facets,
-        }))
+        let place = |place: Option<usize>| place.map(index);
+        let edges = || tiling.edges.iter();
+        let tiles = || tiling.tiles.iter();
+        let rows =
+            |row: fn(&FacetTile) -> &[usize]| Table::rows(tiles().map(|tile| row(tile).iter().copied().map(index)));
+        Ok(Sheet::new([
+            ("classes", Part::Plain(classes.collect())),
+            ("zero", Part::Plain(json!(zero))),
+            ("vertices", Part::Table(Table::vectors(&tiling.vertices))),
+            (
+                "edges",
+                Part::Records(vec![
+                    ("class", Table::indices(edges().map(|edge| index(edge.class)))),
+                    ("ends", Table::pairs(edges().map(|edge| [edge.upper, edge.lower].map(index)))),
+                    ("tiles", Table::pairs(edges().map(|edge| [edge.left, edge.right].map(place)))),
+                ]),
+            ),
+            (
+                "tiles",
+                Part::Records(vec![
+                    ("classes", rows(|tile| &tile.classes)),
+                    ("left", rows(|tile| &tile.left)),
+                    ("right", rows(|tile| &tile.right)),
+                    ("dual", Table::vectors(tiles().map(|tile| &tile.dual))),
+                    ("facet", Table::indices(tiles().map(|tile| tile.facet.0))),
+                ]),
+            ),
+            ("left_side", Part::Plain(json!(tiling.left_side))),
+            ("vertical_facets", Part::Plain(json!(tiling.vertical_facets))),
+        ]))
     },
 };
 
@@ -138,13 +145,14 @@ pub(super) const PLANE_OF_DIRECTIONS: Picture = Picture {
             let message = "the point is the centre, or farther from it than doubles reach: there is no plane";
             return Err(Refusal::bad_input(message));
         };
-        Ok(json!({
+        let content = json!({
             "displacement": vector_to_json(&plane.displacement),
             "origin": vector_to_json(&plane.origin),
             "axes": vectors(&plane.axes),
             "lines": vectors(&plane.lines),
             "optimum": optional(plane.optimum, |point| vector_to_json(&point)),
             "gauge": to_json(plane.gauge),
-        }))
+        });
+        Ok(content.into())
     },
 };

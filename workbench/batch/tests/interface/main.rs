@@ -5,6 +5,7 @@ mod false_answers;
 mod hard_questions;
 mod json;
 mod many_points;
+mod meshes;
 mod motion;
 mod names;
 mod near_the_largest_double;

@@ -1,6 +1,6 @@
 //! Data for pictures agree with the answers of the kinds, for generators and points in any position.
 
-use batch::{PICTURES, answer, picture};
+use batch::{PICTURES, answer, hold, locate_in_columns, picture, picture_in_columns};
 use serde_json::{Value, json};
 
 const EGG: [[f64; 2]; 7] = [[0.0, 8.0], [2.0, 2.0], [16.0, 0.0], [21.0, 5.0], [17.0, 15.0], [9.0, 16.0], [10.0, 10.0]];
@@ -131,4 +131,162 @@ fn what_is_no_picture_is_refused_like_a_question() {
     assert_eq!(asked("plane_of_directions", centre).0.as_deref(), Some("bad_input"));
     let by_method = json!({"id": "q", "kind": "tiling", "method": "by_sweep", "input": {"generators": []}});
     assert_eq!(refusal(&by_method).0.as_deref(), Some("unknown_method"));
+}
+
+#[test]
+fn each_corner_of_a_tile_lies_in_a_trapezoid_of_a_cutting() {
+    for generators in bodies() {
+        let tiling = drawn("tiling", &json!({"generators": generators}));
+        let tiles = tiling["tiles"].as_array().expect("a list");
+        for r in [1, 2, 4] {
+            let cutting = drawn("cutting", &json!({"generators": generators, "r": r}));
+            let count = cutting["trapezoids"].as_array().map_or(0, Vec::len);
+            let images = cutting["images"].as_array().expect("a list");
+            assert_eq!(images.len(), tiles.len(), "{generators:?}");
+            for (image, tile) in images.iter().zip(tiles) {
+                let image = image.as_array().expect("a list");
+                assert_eq!(image.len(), 2 * tile["classes"].as_array().map_or(0, Vec::len), "{generators:?}");
+                let is_one = |place: &Value| place.as_u64().is_some_and(|place| (place as usize) < count);
+                assert!(image.iter().all(is_one), "{generators:?}");
+            }
+            if r == 1 && !tiles.is_empty() {
+                assert_eq!(count, 1, "all lines may cross one cell: {generators:?}");
+                assert_eq!(cutting["trapezoids"][0].as_array().map(Vec::len), Some(4), "the whole window");
+            }
+        }
+    }
+    let refused = json!({"id": "q", "kind": "cutting", "input": {"generators": [], "r": 0}});
+    assert!(picture(&refused.to_string()).contains("bad_input"));
+}
+
+#[test]
+fn each_generator_is_in_one_leaf_of_the_tree() {
+    let many: Vec<[f64; 3]> =
+        (0..200_i32).map(|i| [f64::from(i % 7 - 3), f64::from(i % 11), f64::from(i) - 90.0]).collect();
+    for generators in bodies().into_iter().chain([many]) {
+        let tree = drawn("direction_tree", &json!({"generators": generators}));
+        let leaves = tree["leaves"].as_array().expect("a list").iter();
+        let mut found: Vec<u64> =
+            leaves.flat_map(|leaf| leaf.as_array().expect("a list").iter().filter_map(Value::as_u64)).collect();
+        found.sort_unstable();
+        let nonzero = (0..generators.len()).filter(|&index| generators[index] != [0.0; 3]).map(|index| index as u64);
+        assert_eq!(found, nonzero.collect::<Vec<_>>(), "{generators:?}");
+    }
+}
+
+#[test]
+fn a_hierarchy_ends_with_the_body_and_decides_as_the_kind_does() {
+    for generators in bodies() {
+        for at in [[0.5, 0.25, 0.5], [9.0, 1.0, -2.0]] {
+            let [a, b] = [[0.0; 3], at].map(|center| json!({"center": center, "generators": generators}));
+            let input = json!({"a": a, "b": b});
+            let descent = drawn("hierarchy", &input);
+            assert_eq!(descent["status"], solved("intersect", &input)["status"], "{input}");
+            let levels = descent["a"].as_array().expect("a list");
+            let finest = &levels[levels.len() - 1];
+            assert_eq!(finest["generators"].as_array().map(Vec::len), Some(generators.len()), "{input}");
+            assert!(descent["levels"][0].as_u64().is_some_and(|level| (level as usize) < levels.len()), "{input}");
+        }
+    }
+}
+
+/// The data of an answer in columns, put together again.
+fn folded(bytes: &[u8]) -> Value {
+    let end = bytes.iter().position(|&byte| byte == b'\n').expect("a line comes first") + 1;
+    assert_eq!(end % 8, 0);
+    let mut content: Value = serde_json::from_slice(&bytes[..end]).expect("the line is JSON");
+    let mut at = end;
+    let tables = content["tables"].as_array().cloned().unwrap_or_default();
+    for table in &tables {
+        let columns: Vec<Vec<Value>> = table["columns"]
+            .as_array()
+            .expect("columns")
+            .iter()
+            .map(|column| {
+                let (of, length) =
+                    (column[0].as_str().expect("a type"), column[1].as_u64().expect("a length") as usize);
+                let column = &bytes[at..at + length];
+                at += length;
+                match of {
+                    "f64" => column.as_chunks().0.iter().map(|&number| json!(f64::from_le_bytes(number))).collect(),
+                    _ => column
+                        .as_chunks()
+                        .0
+                        .iter()
+                        .map(|&index| match u32::from_le_bytes(index) {
+                            u32::MAX => Value::Null,
+                            index => json!(index),
+                        })
+                        .collect(),
+                }
+            })
+            .collect();
+        let rows: Vec<Value> = match table["width"].as_u64() {
+            Some(0) => columns[0].clone(),
+            Some(width) => columns[0].chunks(width as usize).map(|row| row.to_vec().into()).collect(),
+            None => {
+                let ends = columns[0].iter().map(|end| end.as_u64().expect("an end") as usize);
+                let begins = std::iter::once(0).chain(ends.clone());
+                begins.zip(ends).map(|(begin, end)| columns[1][begin..end].to_vec().into()).collect()
+            }
+        };
+        match (&table["at"][0], &table["at"][1]) {
+            (Value::String(name), Value::Null) => content["result"][name] = rows.into(),
+            (Value::String(name), Value::String(field)) => {
+                let objects = &mut content["result"][name];
+                if objects.is_null() {
+                    *objects = vec![json!({}); rows.len()].into();
+                }
+                let objects = objects.as_array_mut().expect("a list").iter_mut();
+                objects.zip(rows).for_each(|(object, value)| object[field] = value);
+            }
+            other => panic!("{other:?} is no place"),
+        }
+    }
+    assert_eq!(at, bytes.len(), "every byte belongs to a column");
+    content
+}
+
+#[test]
+fn data_in_columns_are_the_data_in_lines() {
+    let center = [0.5, -1.0, 0.0];
+    let of_points = json!({"points": EGG, "center": [3, 3]});
+    let mut asked = vec![("centered_zonogon", of_points), ("faces", json!({})), ("tilings", json!({}))];
+    for generators in bodies() {
+        asked.push(("faces", json!({"center": center, "generators": generators})));
+        asked.push(("tiling", json!({"generators": generators})));
+    }
+    for (kind, input) in asked {
+        let question = json!({"id": "q", "kind": kind, "input": input}).to_string();
+        let mut found = folded(&picture_in_columns(&question));
+        found.as_object_mut().expect("an object").remove("tables");
+        let expected: Value = serde_json::from_str(&picture(&question)).expect("JSON");
+        assert_eq!(found, expected, "{question}");
+    }
+}
+
+#[test]
+fn a_body_that_is_held_gives_the_answers_of_the_kind() {
+    for generators in bodies() {
+        let question = json!({"id": "q", "kind": "body", "input": {"center": [1, 0, 0], "generators": generators}});
+        let body = hold(&question.to_string()).expect("a body");
+        for point in [[1.5, 0.25, 0.5], [9.0, 1.0, -2.0], [2.0, 2.0, 3.0], [1.0, 0.0, 0.0]] {
+            let member = json!({"point": point, "center": [1, 0, 0], "generators": generators});
+            let mut expected = solved("member", &member);
+            let mut found = folded(&locate_in_columns(&body, point))["result"].clone();
+            let proof = expected["certificate"].take();
+            expected.as_object_mut().expect("an object").remove("certificate");
+            for (name, value) in proof.as_object().expect("a proof") {
+                assert_eq!(&found[name].take(), value, "{name} of {member}");
+            }
+            let kept = found.as_object_mut().expect("an object");
+            kept.retain(|name, value| name != "basis" && !value.is_null());
+            assert_eq!(found, expected, "{member}");
+        }
+        let refused = folded(&locate_in_columns(&body, [f64::NAN, 0.0, 0.0]));
+        assert_eq!(refused["error"]["code"], "non_finite");
+    }
+    let refused = |question: Value| hold(&question.to_string()).expect_err("no body");
+    assert!(refused(json!({"id": "q", "kind": "bodies", "input": {}})).contains("unknown_kind"));
+    assert!(refused(json!({"id": "q", "kind": "body", "input": {"center": [0, 0, 0]}})).contains("generators"));
 }

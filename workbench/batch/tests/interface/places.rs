@@ -24,4 +24,19 @@ fn places_read_as_words() {
     };
     names("intersect", &of_bodies(body, &posed("[[1,0,0],5,[0,0,1]]")), "b, pose, matrix, row 2");
     names("intersect", &of_bodies(body, &posed("[[1,0,0],[0,1,\"x\"],[0,0,1]]")), "b, pose, matrix, row 2, entry 3");
+    let mesh = |vertices, triangles| format!(r#"{{"vertices":{vertices},"triangles":{triangles}}}"#);
+    let whole = mesh("[[0,0,0]]", "[[0,0,0]]");
+    for (vertices, triangles, place) in [
+        ("[[0,0,0],[0,\"x\",0]]", "[[0,1,0]]", "a, vertex 2, coordinate 2"),
+        ("[[0,0,0],[0,1]]", "[[0,1,0]]", "a, vertex 2 has 2 coordinates, not 3"),
+        ("[[0,0,0]]", "[[0,0,0],[0,0,1]]", "a, triangle 2, corner 3 is 1: there are 1 vertices"),
+        ("[[0,0,0]]", "[[0,-1,0]]", "a, triangle 1, corner 2 is -1.0, not a whole number from 0"),
+        ("[[0,0,0]]", "[[0,0,5000000000]]", "a, triangle 1, corner 3 is 5000000000, above all positions"),
+        ("[[0,0,0]]", "[[0,0]]", "a, triangle 1 has 2 corners, not 3"),
+        ("[[0,0,0]]", "[]", "a has no triangles"),
+    ] {
+        names("mesh", &of_bodies(&mesh(vertices, triangles), &whole), place);
+    }
+    let flagged = of_bodies(&whole, &whole).replacen('{', r#"{"pairs":1,"#, 1);
+    names("mesh", &flagged, "`pairs` is a number, not true or false");
 }

@@ -8,6 +8,10 @@
 //! | --- | --- | --- |
 //! | [`answer`] | a question, as a line of JSON | the answer, as a line of JSON |
 //! | [`picture`] | a question for a picture | its data, as a line of JSON |
+//! | [`columns`] | a question for a picture | its data, as a line of JSON with the bytes of its tables behind it |
+//! | [`hold`] | a question that brings a body | nothing, or the answer that refuses it |
+//! | [`locate`] | none | where a point lies in the body that is held, in columns |
+//! | [`rival`] | none | the steps of the algorithm of Gilbert, Johnson and Keerthi for that point, as a line of JSON |
 //! | [`verify`] | a question, then directly an answer | `right`, `wrong` or `unchecked`; next line: the reason |
 //! | [`failure`] | none | the message of the panic after which an entry did not return |
 //!
@@ -18,9 +22,12 @@ use std::cell::RefCell;
 use std::panic;
 use std::sync::Once;
 
-use batch::Verdict;
+use batch::{HeldBody, Verdict};
+
+mod rival;
 
 thread_local! {
+    static HELD: RefCell<Option<HeldBody>> = const { RefCell::new(None) };
     static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
     static OUTPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
     static FAILURE: RefCell<String> = const { RefCell::new(String::new()) };
@@ -55,6 +62,39 @@ pub extern "C" fn picture() -> usize {
     leave(batch::picture(&text(&INPUT.take())))
 }
 
+/// Makes the data of the picture that the question in the buffer asks for, its tables as bytes; returns their length.
+#[unsafe(no_mangle)]
+pub extern "C" fn columns() -> usize {
+    leave(batch::picture_in_columns(&text(&INPUT.take())))
+}
+
+/// Holds the body that the question in the buffer brings, in place of another; returns 0, or the length of the answer
+/// that refuses it.
+#[unsafe(no_mangle)]
+pub extern "C" fn hold() -> usize {
+    let (held, refused) = match batch::hold(&text(&INPUT.take())) {
+        Ok(body) => (Some(body), String::new()),
+        Err(refused) => (None, refused),
+    };
+    HELD.set(held);
+    leave(refused)
+}
+
+/// Finds where a point lies in the body that is held; returns the length of the answer in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn locate(x: f64, y: f64, z: f64) -> usize {
+    leave(HELD.with_borrow(|held| match held {
+        Some(body) => batch::locate_in_columns(body, [x, y, z]),
+        None => Vec::new(),
+    }))
+}
+
+/// Goes through the steps of the rival for a point and the body that is held; returns the bytes of their text.
+#[unsafe(no_mangle)]
+pub extern "C" fn rival(x: f64, y: f64, z: f64) -> usize {
+    leave(HELD.with_borrow(|held| held.as_ref().map_or_else(String::new, |body| rival::steps(body.body(), [x, y, z]))))
+}
+
 /// Checks an answer against its question exactly. The question is the first `question_bytes` bytes of the buffer, the
 /// answer is the rest. Returns the verdict's length in bytes.
 #[unsafe(no_mangle)]
@@ -81,9 +121,10 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-fn leave(text: String) -> usize {
-    let bytes = text.len();
-    OUTPUT.set(text.into_bytes());
+fn leave(answer: impl Into<Vec<u8>>) -> usize {
+    let answer = answer.into();
+    let bytes = answer.len();
+    OUTPUT.set(answer);
     bytes
 }
 

@@ -29,12 +29,19 @@ export class Library {
   }
 
   call(entry, text) {
-    const bytes = new TextEncoder().encode(text);
+    return new TextDecoder().decode(this.bytes(entry, text));
+  }
+
+  /** The bytes that an entry leaves for a text, or for numbers. */
+  bytes(entry, ...taken) {
     const { memory, input, output } = this.entries;
-    const start = input(bytes.length);
-    new Uint8Array(memory.buffer, start, bytes.length).set(bytes);
-    const length = this.entries[entry]();
-    return new TextDecoder().decode(new Uint8Array(memory.buffer, output(), length));
+    if (typeof taken[0] === "string") {
+      const bytes = new TextEncoder().encode(taken[0]);
+      const start = input(bytes.length);
+      new Uint8Array(memory.buffer, start, bytes.length).set(bytes);
+    }
+    const length = this.entries[entry](...taken.filter((one) => typeof one === "number"));
+    return new Uint8Array(memory.buffer, output(), length).slice();
   }
 
   ask(entry, kind, input, method) {
@@ -71,9 +78,12 @@ export class Opened {
     await this.rest();
   }
 
-  /** Waits until nothing is drawn any more and the worker has answered. */
+  /**
+   * Waits until nothing is drawn any more and the worker has answered. The page gets clicks and keys before its next
+   * frame, however long that takes; after two frames it is busy with what they asked for, or has done it.
+   */
   async rest() {
-    await this.page.waitForTimeout(60);
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
   }
 

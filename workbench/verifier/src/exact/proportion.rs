@@ -57,8 +57,11 @@ impl Proportion {
         self.exponent
     }
 
-    /// The number of whole units 2^exponent that the number holds, for a unit not above its own.
+    /// The number of whole units 2^exponent that the number holds.
     pub(crate) fn floor_at(&self, exponent: i32) -> IBig {
+        if self.exponent < exponent {
+            return (&self.numerator).div_euclid(&shifted(&self.denominator, exponent - self.exponent));
+        }
         shifted(&self.numerator, self.exponent - exponent).div_euclid(&self.denominator)
     }
 

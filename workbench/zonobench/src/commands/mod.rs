@@ -15,6 +15,7 @@ pub mod inspect;
 pub mod intersect;
 pub mod list;
 pub mod merge;
+pub mod mesh;
 mod mesh_files;
 mod motion;
 mod page;

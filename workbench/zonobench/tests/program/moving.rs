@@ -22,6 +22,8 @@ fn a_bar_that_turns_beside_a_cube() {
         outcome.stdout
     };
     let turned = ["--axis", "0,0,1", "--angle", "1.5707963267948966"];
+    let in_degrees = ["--axis", "0,0,1", "--degrees", "90"];
+    assert_eq!(collide(&turned), collide(&in_degrees), "one angle in two units");
     for options in [&["--motion", "quarter.json"][..], &turned] {
         let met = collide(options);
         assert!(met.contains("answer        a and b meet, and are disjoint before\n"), "{met}");
@@ -52,7 +54,8 @@ fn a_bar_that_turns_beside_a_cube() {
         (&["--axis", "0,0,0", "--angle", "1"][..], "motion, a, axis is zero: a rotation needs an axis"),
         (
             &["--motion", "bar.json"],
-            "bar.json: a motion is an object of JSON with `axis` and `angle`, or with `pieces`",
+            "bar.json: a motion is an object of JSON with `axis_point`, `axis`, `angle` and `translation`, or with \
+             `pieces`",
         ),
         (&["--motion", "cube.json"], "extra field `center` in `motion, a`"),
         (&["--motion", "lost.json"], "lost.json: cannot be read"),
@@ -88,6 +91,14 @@ fn a_bar_that_sweeps() {
         serde_json::from_str(&fs::read_to_string(folder.join(name)).expect("written")).expect("JSON")
     };
     assert_eq!(read("moved.json")["result"]["center"], serde_json::json!([0.0, 0.0, 1.0]), "half of the translation");
+
+    let [in_radians, in_degrees] = [["--angle", "-1.5707963267948966"], ["--degrees", "-90"]]
+        .map(|angle| sweep(&[&["--axis", "0,0,1"], &angle[..]].concat()));
+    assert_eq!((in_radians.stdout, in_radians.status), (in_degrees.stdout, 0), "one angle in two units");
+    // many turns in radians earn a hint, and in degrees they do not
+    let turns =
+        |angle: [&str; 2]| run(folder, &[&["collide", "bar.json", "bar.json", "--axis", "0,0,1"], &angle[..]].concat());
+    assert!(turns(["--angle", "720"]).stderr.contains("in radians") && turns(["--degrees", "720"]).stderr.is_empty());
 
     // a negative angle, the opposite axis and the file are one motion
     let by_options = ["--axis", "0,0,1", "--angle", "-0.5", "--translation", "0,0,2", "--json", "options.json"];
@@ -142,4 +153,59 @@ fn a_bar_that_sweeps() {
         assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
         assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
     }
+}
+
+#[test]
+fn an_angle_that_may_be_in_degrees_earns_a_hint_in_every_command_of_motions() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let turn = r#"{"axis_point":[0,0,0],"axis":[0,0,1],"angle":90,"translation":[0,0,0]}"#;
+    let far = CUBE.replace("[0,3,0]", "[0,30,0]");
+    for (name, content) in [("bar.json", BAR), ("far.json", &far), ("turn.json", turn)] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    let hint = "the angle 90.0 is in radians, 14.3239 full turns; 90.0 degrees are 1.5707963267948966 radians";
+    let by_options = ["--axis", "0,0,1", "--angle", "90"];
+    for command in [&["sweep", "bar.json"][..], &["collide", "bar.json", "far.json"], &["draw", "motion", "bar.json"]] {
+        for motion in [&by_options[..], &["--motion", "turn.json"]] {
+            let told = run(folder, &[command, motion].concat());
+            assert_eq!(told.status, 0, "{command:?}: {}", told.stderr);
+            assert_eq!(told.stderr.matches(hint).count(), 1, "{command:?}: {}", told.stderr);
+        }
+        let in_degrees = run(folder, &[command, &["--axis", "0,0,1", "--degrees", "90"]].concat());
+        assert!(!in_degrees.stderr.contains("in radians"), "{command:?}: {}", in_degrees.stderr);
+        let refused = run(folder, &[command, &["--axis", "0,0,1", "--angle", "nan"]].concat());
+        assert!(refused.stderr.contains("a finite number is expected"), "{command:?}: {}", refused.stderr);
+    }
+}
+
+#[test]
+fn a_search_that_ends_undecided_claims_no_nearness() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let near = CUBE.replace("[0,3,0]", "[1,0,0]");
+    let far = CUBE.replace("[0,3,0]", "[5,0,0]");
+    for (name, content) in [("near.json", &near), ("far.json", &far)] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    let turned = run(folder, &["collide", "near.json", "far.json", "--axis", "0,0,1", "--angle", "1e6"]);
+    let undecided = "a and b are disjoint before, and from then on neither a meeting nor that there is none is proved";
+    assert!(turned.stdout.contains(undecided), "{}{}", turned.stdout, turned.stderr);
+}
+
+#[test]
+fn a_gauge_without_a_multiple_is_infinity_in_the_column_and_infinite_in_words() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    for (name, content) in [
+        ("segment.json", r#"{"center":[0,0],"generators":[[1,0]]}"#),
+        ("point.csv", "0.5,1\n"),
+        ("beside.json", r#"{"center":[0.5,1],"generators":[]}"#),
+    ] {
+        fs::write(folder.join(name), content).expect("written");
+    }
+    let column = run(folder, &["contains", "segment.json", "point.csv"]);
+    assert_eq!(column.stdout, "1\toutside\tInfinity\n", "{}", column.stderr);
+    let words = run(folder, &["intersect", "segment.json", "beside.json"]);
+    assert!(words.stdout.contains("infinite: no growth about the centres makes them meet"), "{}", words.stdout);
 }

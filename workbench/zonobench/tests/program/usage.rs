@@ -12,7 +12,7 @@ use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
-    let wrong: [&[&str]; 33] = [
+    let wrong: [&[&str]; 35] = [
         &[],
         &["frobnicate"],
         &["enclose"],
@@ -33,6 +33,8 @@ fn usage_errors_have_status_2() {
         &["sweep", "a.json"],
         &["sweep", "a.json", "--axis", "0,0,1"],
         &["sweep", "a.json", "--angle", "1"],
+        &["sweep", "a.json", "--degrees", "1"],
+        &["collide", "a.json", "b.json", "--axis", "0,0,1", "--angle", "1", "--degrees", "57"],
         &["enclose", "-", "--format", "csv", "--directions", "-"],
         &["enclose", "p.csv", "--objective", "perimeter"],
         &["enclose", "p.csv", "--directions", "net:0"],

@@ -34,7 +34,8 @@ impl Proof {
         }
     }
 
-    /// The location, its rung counted; that of no displacement is counted by the search, which finds the proof as well.
+    /// The location, its rung counted. The rung of a displacement of zero has been counted by the search that ended
+    /// there.
     pub(crate) fn counted(self, tally: &mut dyn Tally) -> Location<3> {
         if self.rung != Rung::ZeroDisplacement {
             tally.answered_by(self.rung);

@@ -18,11 +18,9 @@
 //!
 //! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The
 //! methods of [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask
-//! that default; in space those of [`Placed`] ask about a body under a pose,
-//! or about one that was prepared.
+//! that default; in space those of [`Placed`] ask about a body under a pose, or about one that was prepared.
 //!
-//! Answers of bodies go straight to a verifier; answers of a single method do so by
-//! [`Location::with_nearest_basis`].
+//! Answers of bodies go straight to a verifier; answers of a single method do so by [`Location::with_nearest_basis`].
 //!
 //! [`prepared`] has structures for a body that is asked again and again. [`hierarchy`] has bodies around and within a
 //! body, from coarse to fine, which tell whether two bodies meet from few generators unless they nearly touch.

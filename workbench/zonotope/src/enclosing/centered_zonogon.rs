@@ -2,11 +2,10 @@
 //! reflections.
 //!
 //! # Statement
-//! Input: the convex hull of the points, the farthest vertex of each edge, a centre O. Output: the boundary of
-//! Z(O) = conv(P ∪ P'), P' = 2O − P, as a circular sequence of vertices P_i and P'_i; its runs are the paper's
-//! combinatorial description. Neighbours in the sequence may be collinear where an edge and a reflected vertex lie on
-//! one line. For the hull of one or two points Z(O) is the parallelogram, possibly flat, of the points and their
-//! reflections.
+//! Input: the convex hull of the points, the farthest vertex of each edge, a centre O. Output: the boundary of Z(O) =
+//! conv(P ∪ P'), P' = 2O − P, as a circular sequence of vertices P_i and P'_i; its runs are the paper's combinatorial
+//! description. Neighbours in the sequence may be collinear where an edge and a reflected vertex lie on one line. For
+//! the hull of one or two points Z(O) is the parallelogram, possibly flat, of the points and their reflections.
 //!
 //! # Source
 //! Section 4.1, Z(O) and 𝒮. Departure: Z(O) is built in O(n) from the farthest vertices, without a second convex hull.

@@ -1,11 +1,6 @@
 //! Planar convex hull, by gift wrapping: every vertex in turn from the exact comparison of all points around the one
 //! before.
 //!
-//! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
-//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
-//! in the input. Equal points give one vertex, collinear points two.
-//!
 //! # Source
 //! Jarvis, On the identification of the convex hull of a finite set of points in the plane, 1973. The paper takes the
 //! hull for granted ("our input can be assumed to be a convex polygon", Section 4.1).
@@ -19,15 +14,8 @@
 //! # Complexity
 //! n points, h vertices: O(n·h) time, O(h) space.
 //!
-//! # Shapes
-//! `points`: n × 2.
-//!
 //! # Numerics
 //! All decisions are exact. Vertices are input points, bit for bit.
-//!
-//! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
-//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Checked by
 //! This is the truth; the crate `verifier` checks it by the definition.

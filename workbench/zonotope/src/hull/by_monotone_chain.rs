@@ -1,10 +1,5 @@
 //! Planar convex hull, by monotone chains: sort by x, then one scan builds the hull below and the hull above.
 //!
-//! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
-//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
-//! in the input. Equal points give one vertex, collinear points two.
-//!
 //! # Source
 //! Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979. The paper takes the hull for granted
 //! ("our input can be assumed to be a convex polygon", Section 4.1).
@@ -20,15 +15,8 @@
 //! n points: O(n log n) time for the sort, then at most 3n orientation tests; 24n bytes for the sorted points and at
 //! most 8n for the chains, besides the answer.
 //!
-//! # Shapes
-//! `points`: n × 2.
-//!
 //! # Numerics
 //! All decisions are exact; −0 equals 0. Vertices are input points, bit for bit.
-//!
-//! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
-//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the crate `verifier`.

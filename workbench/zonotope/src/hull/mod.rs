@@ -1,9 +1,19 @@
 //! Problem: the convex hull of a finite set of points in the plane, and for each of its edges the farthest vertex.
 //!
-//! The hull is given by its vertices in counter-clockwise order, starting from the lexicographically smallest, no three
-//! of them on a line; each vertex comes with the index of its first occurrence in the input. Points and segments are
-//! hulls too, with one and two vertices. Every decision is exact, so the answer does not depend on the method.
+//! # Statement
+//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
+//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
+//! in the input. Equal points give one vertex, collinear points two. Every decision is exact, so the answer does not
+//! depend on the method.
 //!
+//! # Shapes
+//! `points`: n × 2.
+//!
+//! # Errors
+//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
+//! ⇔ more than [`MAX_POINTS`] points.
+//!
+//! # Methods
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | O(n·h) | gift wrapping; the truth |

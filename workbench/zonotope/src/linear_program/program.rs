@@ -142,9 +142,4 @@ impl LinearProgram {
     pub fn rows(&self) -> &[Row] {
         &self.rows
     }
-
-    /// The cost of an assignment, rounded.
-    pub fn cost_of(&self, values: &[f64]) -> f64 {
-        self.variables.iter().zip(values).map(|(variable, value)| variable.cost * value).sum()
-    }
 }

@@ -310,3 +310,33 @@ pub const ROUNDED_UNIT_VECTOR: f64 = power_of_two(-48);
 /// Both entries of the matrix are at most 2.1 and off by less than 4 units in the last place, of angles that are off by
 /// a unit in the last place of a turn; the products and the sum go through three roundings.
 pub const ARC_POINT_ROUNDING: f64 = power_of_two(-46);
+
+/// Error of a gap between two bounding volumes along a direction of length at most 1, beside the sum of the magnitudes
+/// of what it is the sum of: each term goes through fewer than a hundred roundings, 2^-46; four times that.
+pub(crate) const NODE_TEST: f64 = power_of_two(-44);
+
+/// Error of a coordinate of a point that a frame of two meshes maps, beside 1 + |s| for a shift s: the entries of the
+/// matrix are off by 2^-48, three times that for a coordinate, the shift by 3 · 2^-49, and eight roundings.
+pub(crate) const POINT_OF_A_FRAME: f64 = power_of_two(-45);
+
+/// Error of the distance of a pose from a rotation as it is computed: four roundings of sums of at most 4.
+pub(crate) const POSE_OF_A_FRAME: f64 = power_of_two(-50);
+
+/// The part by which a frame of two meshes changes distances: its first pose is no farther from a rotation than 1e-12,
+/// which takes or adds three times that.
+pub(crate) const DISTANCE_OF_A_FRAME: f64 = power_of_two(-36);
+
+/// The part that makes up for the rounding of a radius: three differences, three squares, two sums and a root.
+pub(crate) const ROUNDED_RADIUS: f64 = power_of_two(-48);
+
+/// Error of a coordinate of an exact place that is rounded in units in which it is at most 1: a part of 2^-50 and a
+/// denormal step.
+pub(crate) const ROUNDED_IMAGE: f64 = power_of_two(-49);
+
+/// Error of a distance of two triangles in doubles, beside the largest magnitude of a coordinate: displacements and
+/// heights go through fewer than fifty roundings of three coordinates each.
+pub(crate) const TRIANGLE_DISTANCE: f64 = power_of_two(-44);
+
+/// The half-length of the cube that is added to a zonotope fitted in doubles, in units of its mesh. It decides no
+/// answer: the points are proved to be inside, or the cube is made larger.
+pub(crate) const FITTED_MARGIN: f64 = power_of_two(-40);

@@ -12,8 +12,7 @@
 //! | [`keeping`], five rules in use | O(n log n), one O(n (n − k)) | no bound |
 //!
 //! [`contains`] decides whether a zonotope contains another one; [`brute_force`] does in rationals: the truth that all
-//! rules are held to.
-//! [`Method`] has them by name, and the best of all; [`hausdorff`] bounds what they cost.
+//! rules are held to. [`Method`] has them by name, and the best of all; [`hausdorff`] bounds what they cost.
 
 mod answer;
 pub mod brute_force;

@@ -3,7 +3,6 @@
 use super::brute_force::contains;
 use super::by_patches::{patch_count, patches_within};
 use super::hausdorff::excess;
-use super::keeping::by_adaptive::adaptive_within;
 use super::{Containment, Method, Problem, Reduced, ReductionError};
 use crate::zonotope::Zonotope;
 use proptest::prelude::*;
@@ -51,11 +50,9 @@ fn every_rule_encloses<const D: usize>(generators: &[[f64; D]]) -> Result<(), Te
         }
     }
     for epsilon in [0.5, 0.01] {
-        for reduced in [patches_within(&inner, epsilon, &mut ()), adaptive_within(&inner, epsilon)] {
-            match reduced {
-                Ok(reduced) => encloses(&inner, &reduced, "to a precision")?,
-                Err(error) => prop_assert_eq!(error, ReductionError::OutOfRange),
-            }
+        match patches_within(&inner, epsilon, &mut ()) {
+            Ok(reduced) => encloses(&inner, &reduced, "to a precision")?,
+            Err(error) => prop_assert_eq!(error, ReductionError::OutOfRange),
         }
     }
     Ok(())
@@ -104,7 +101,6 @@ fn what_is_asked_for_is_checked() {
     assert_eq!(Problem::new(&cube, 2).unwrap_err(), ReductionError::TooFew { count: 2, needed: 3 });
     for epsilon in [0.0, 1.0, -0.5, f64::NAN, f64::INFINITY] {
         assert!(matches!(patches_within(&cube, epsilon, &mut ()), Err(ReductionError::BadEpsilon(_))));
-        assert!(matches!(adaptive_within(&cube, epsilon), Err(ReductionError::BadEpsilon(_))));
     }
     assert!(matches!(patches_within(&cube, 1e-12, &mut ()), Err(ReductionError::TooManyPatches(_))));
     assert_eq!(Method::ALL.map(|method| Method::from_id(method.id())), Method::ALL.map(Some));

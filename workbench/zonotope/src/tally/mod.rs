@@ -40,6 +40,10 @@ named_variants! {
     /// One value of the support function of a body along one direction; a question about bodies that stand counts the
     /// passes over the generators of each.
     SupportEvaluation => "support_evaluation";
+    /// One test whether the bounding volumes of two nodes are disjoint.
+    NodeTest => "node_test";
+    /// One test whether two triangles of meshes meet, or how far apart they are.
+    TriangleTest => "triangle_test";
 }
 
 /// A counter of operations.

@@ -13,9 +13,8 @@ use crate::numeric::linear::max_norm;
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::tolerance::{DISPLACEMENT_ACCURACY, PRODUCT_UNDERFLOW, UNIT};
 
-/// Where is the exact vector from the centre of one placed body to that of another relative to the zonotope
-/// { Σ δ_i g_i : |δ_i| ≤ 1 } of the generators of both, each under the matrix of its body's pose? Every coordinate is
-/// finite.
+/// Where is the exact vector from the centre of one placed body to that of another relative to the zonotope { Σ δ_i g_i
+/// : |δ_i| ≤ 1 } of the generators of both, each under the matrix of its body's pose? Every coordinate is finite.
 ///
 /// Two bodies are put to the query without a copy; a generator's index counts through the first body and then the
 /// second.

@@ -2,6 +2,7 @@
 
 pub(super) mod distance;
 pub(super) mod gauge;
+pub(super) mod held;
 pub(super) mod intersect;
 pub(super) mod member;
 pub(super) mod member_batch;

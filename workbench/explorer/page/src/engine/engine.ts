@@ -1,18 +1,31 @@
 /** The library in the page: in the main thread for what a drag asks, in a worker for what takes longer. */
 
-import { Machine, Stopped } from "./machine";
-import { lineOf, readAnswer, readVerdict, type Answer, type Question, type Verdict } from "./questions";
+import { folded } from "./columns";
+import { Machine, Stopped, textOf } from "./machine";
+import {
+  lineOf,
+  readAnswer,
+  readVerdict,
+  refuse,
+  type Answer,
+  type AsksHeld,
+  type HeldEntry,
+  type Question,
+  type Verdict,
+} from "./questions";
 import type { Report } from "./worker";
 
 interface Waiting {
-  resolve(text: string): void;
+  resolve(bytes: Uint8Array): void;
   reject(failure: Error): void;
 }
 
-export class Engine {
+export class Engine implements AsksHeld {
   private worker: Worker | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private errands = 0;
+  /** The input of the body that the machine holds. */
+  private held: unknown = null;
 
   private constructor(
     private readonly module: WebAssembly.Module,
@@ -27,24 +40,48 @@ export class Engine {
   /** Answers at once, in this thread. Throws a `Refusal` for a question that the library refuses. */
   ask = <Result>(question: Question<Result>): Answer<Result> => {
     const line = lineOf(question);
-    return readAnswer<Result>(line, this.machine.call(question.entry, line));
+    return this.read(question, line, this.machine.call(question.entry, [line]));
   };
 
   /** Answers in the worker. */
   askLater = async <Result>(question: Question<Result>): Promise<Answer<Result>> => {
     const line = lineOf(question);
-    return readAnswer<Result>(line, await this.send(question.entry, line));
+    return this.read(question, line, await this.send(question.entry, line));
+  };
+
+  /**
+   * What an entry leaves for a point and a body, at once. The body is read where it is another than that of the call
+   * before, so that a drag of the point among very many generators reads nothing.
+   */
+  askHeld = <Result>(entry: HeldEntry, body: Question<never>, point: readonly [number, number, number]): Result => {
+    try {
+      if (this.held !== body.input) {
+        const refused = textOf(this.machine.call("hold", [lineOf(body)]));
+        if (refused !== "") refuse(refused);
+        this.held = body.input;
+      }
+      const bytes = this.machine.call(entry, point);
+      return entry === "rival" ? (JSON.parse(textOf(bytes)) as Result) : folded<Result>(bytes);
+    } catch (failure) {
+      this.held = null;
+      throw failure;
+    }
   };
 
   /** Lets the verifier check an answer, at once. */
   verify = (answer: Answer<unknown>): Verdict =>
-    readVerdict(this.machine.call("verify", answer.question, answer.answer));
+    readVerdict(textOf(this.machine.call("verify", [answer.question, answer.answer])));
 
   /** Lets the verifier check an answer in the worker. */
   verifyLater = async (answer: Answer<unknown>): Promise<Verdict> =>
-    readVerdict(await this.send("verify", answer.question, answer.answer));
+    readVerdict(textOf(await this.send("verify", answer.question, answer.answer)));
 
-  private send(entry: string, ...texts: string[]): Promise<string> {
+  private read<Result>(question: Question<Result>, line: string, bytes: Uint8Array): Answer<Result> {
+    if (question.entry === "answer") return readAnswer<Result>(line, textOf(bytes));
+    return { question: line, answer: "", result: folded<Result>(bytes) };
+  }
+
+  private send(entry: string, ...texts: string[]): Promise<Uint8Array> {
     const number = ++this.errands;
     return new Promise((resolve, reject) => {
       this.waiting.set(number, { resolve, reject });
@@ -61,7 +98,7 @@ export class Engine {
       const waiting = this.waiting.get(event.data.number);
       this.waiting.delete(event.data.number);
       if (!waiting) return;
-      if ("text" in event.data) waiting.resolve(event.data.text);
+      if ("bytes" in event.data) waiting.resolve(event.data.bytes);
       else waiting.reject(new Stopped(event.data.failure));
     };
     worker.postMessage(this.module);

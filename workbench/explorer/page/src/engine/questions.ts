@@ -2,13 +2,21 @@
 
 /** A question; the type of its answer's result goes with it. */
 export interface Question<Result> {
-  /** The entry of the module that answers: a question of `solve`, or one for a picture. */
-  readonly entry: "answer" | "picture";
+  /** The entry of the module that answers: a question of `solve`, or one for a picture, whose tables come as bytes. */
+  readonly entry: "answer" | "columns";
   readonly kind: string;
   readonly input: unknown;
   readonly method?: string;
   /** Never present: it only ties the question to the type of its result. */
   readonly result?: Result;
+}
+
+/** The entries about a point and the body that is held. */
+export type HeldEntry = "locate" | "rival";
+
+/** Asks about a point and a body that stays while the point moves. */
+export interface AsksHeld {
+  askHeld<Result>(entry: HeldEntry, body: Question<never>, point: readonly [number, number, number]): Result;
 }
 
 export interface Answer<Result> {
@@ -60,10 +68,16 @@ function written(value: unknown): string {
   return `{${fields.map(([name, field]) => `${JSON.stringify(name)}:${written(field)}`).join(",")}}`;
 }
 
+/** Throws the refusal that is the answer in a line of JSON. */
+export function refuse(answer: string): never {
+  const { error } = JSON.parse(answer) as { error?: { code: string; message: string } };
+  throw new Refusal(error?.code ?? "", error?.message ?? "no reason is told");
+}
+
 /** The answer in a line of JSON. */
 export function readAnswer<Result>(question: string, answer: string): Answer<Result> {
-  const read = JSON.parse(answer) as { result?: Result; error?: { code: string; message: string } };
-  if (read.error) throw new Refusal(read.error.code, read.error.message);
+  const read = JSON.parse(answer) as { result?: Result; error?: object };
+  if (read.error) refuse(answer);
   return { result: read.result as Result, question, answer };
 }
 

@@ -8,7 +8,10 @@ export interface Errand {
   readonly texts: string[];
 }
 
-export type Report = { readonly number: number } & ({ readonly text: string } | { readonly failure: string });
+export type Report = { readonly number: number } & (
+  | { readonly bytes: Uint8Array<ArrayBuffer> }
+  | { readonly failure: string }
+);
 
 let machine: Promise<Machine> | null = null;
 
@@ -20,9 +23,9 @@ self.onmessage = async (event: MessageEvent<WebAssembly.Module | Errand>) => {
   const { number, entry, texts } = event.data;
   let report: Report;
   try {
-    report = { number, text: (await (machine as Promise<Machine>)).call(entry, ...texts) };
+    report = { number, bytes: (await (machine as Promise<Machine>)).call(entry, texts) };
   } catch (failure) {
     report = { number, failure: String(failure instanceof Error ? failure.message : failure) };
   }
-  self.postMessage(report);
+  self.postMessage(report, { transfer: "bytes" in report ? [report.bytes.buffer] : [] });
 };

@@ -8,11 +8,11 @@
  *       └── drags, keys, presets, links, own data, undo
  */
 
-import type { Answer, Question, Verdict } from "../engine/questions";
+import type { Answer, AsksHeld, Question, Verdict } from "../engine/questions";
 import type { Vec2, Vec3 } from "../library/shapes";
 
 /** Asks the library, at once. */
-export interface Asking {
+export interface Asking extends AsksHeld {
   ask<Result>(question: Question<Result>): Answer<Result>;
   verify(answer: Answer<unknown>): Verdict;
 }

@@ -4,7 +4,7 @@ import type { Question } from "../engine/questions";
 import type { AnyNumber, Body, Status, Vec2, Vec3 } from "./shapes";
 
 function picture<Result>(kind: string, input: unknown): Question<Result> {
-  return { entry: "picture", kind, input };
+  return { entry: "columns", kind, input };
 }
 
 export interface CenteredZonogon {
@@ -172,4 +172,43 @@ export interface PlaneOfDirections {
 /** The directions u with u · p = 1, in which the kernel looks for the one in which the body reaches least. */
 export function planeOfDirections(point: Vec3, body: Body): Question<PlaneOfDirections> {
   return picture("plane_of_directions", { point, center: body.center, generators: body.generators });
+}
+
+export interface CuttingAndImage {
+  /** The most lines that cross a trapezoid. */
+  readonly limit: number;
+  /** The part of the plane that the trapezoids are clipped to, from its lowest to its highest corner. */
+  readonly window: readonly [Vec2, Vec2];
+  readonly trapezoids: readonly (readonly Vec2[])[];
+  /** For each tile the trapezoid of each corner: that which holds the face of the corner near the tile's crossing. */
+  readonly images: readonly (readonly (number | null)[])[];
+}
+
+/** A (1/r)-cutting of the lines of generators, and its image in their tiling. */
+export function cutting(generators: readonly Vec3[], r: number): Question<CuttingAndImage> {
+  return picture("cutting", { generators, r });
+}
+
+/** The generators of each leaf of the tree over directions. */
+export function directionTree(
+  generators: readonly Vec3[],
+): Question<{ readonly leaves: readonly (readonly number[])[] }> {
+  return picture("direction_tree", { generators });
+}
+
+export interface HierarchyOfTwo {
+  /** The bodies around each body, the coarsest first; the last is the body itself. */
+  readonly a: readonly Body[];
+  readonly b: readonly Body[];
+  readonly status: Status;
+  /** The level of each body at which it was decided whether they meet, from 0. */
+  readonly levels: readonly [number, number];
+  /** Pairs of levels that were looked at. */
+  readonly visited: number;
+  readonly generators_read: number;
+}
+
+/** The levels of two bodies, and how far down it is decided whether they meet. */
+export function hierarchy(a: Body, b: Body): Question<HierarchyOfTwo> {
+  return picture("hierarchy", { a, b });
 }

@@ -1,7 +1,7 @@
 /** Questions about zonotopes of space (Sections 3, 5 and 6). */
 
-import type { Question } from "../engine/questions";
-import type { AnyNumber, Body, LocationProof, Status, Vec3 } from "./shapes";
+import type { AsksHeld, Question } from "../engine/questions";
+import type { AnyNumber, Body, Exact, LocationProof, Status, Vec3 } from "./shapes";
 
 export interface Located {
   readonly member: boolean;
@@ -12,6 +12,49 @@ export interface Located {
 /** Whether a point lies in a body. */
 export function locate(point: Vec3, body: Body): Question<Located> {
   return { entry: "answer", kind: "member", input: { point, center: body.center, generators: body.generators } };
+}
+
+/** Questions that hold a body; the same body has the same question, so that it is read once. */
+const HOLDING = new WeakMap<readonly Vec3[], { readonly center: Vec3; readonly question: Question<never> }>();
+
+function holding({ center, generators }: Body): Question<never> {
+  const known = HOLDING.get(generators);
+  if (known && known.center.every((value, axis) => value === center[axis])) return known.question;
+  const question: Question<never> = { entry: "answer", kind: "body", input: { center, generators } };
+  HOLDING.set(generators, { center, question });
+  return question;
+}
+
+/** Whether a point lies in a body, as `locate` asks, for points that move while the body stays. */
+export function locateHeld(asking: AsksHeld, point: Vec3, body: Body): Located {
+  const found = asking.askHeld<{
+    member: boolean;
+    status: Status;
+    coefficients?: readonly number[];
+    separating_direction?: readonly Exact[];
+    basis: readonly number[];
+  }>("locate", holding(body), point);
+  const { member, status, coefficients, separating_direction, basis } = found;
+  const certificate = separating_direction ? { separating_direction } : { coefficients: coefficients ?? [], basis };
+  return { member, status, certificate };
+}
+
+/** The steps of an algorithm that believes, and does not prove, where a point lies. */
+export interface Belief {
+  readonly belief: "intersecting" | "disjoint" | "gave_up";
+  readonly steps: readonly {
+    /** The direction in which the step looks; the body is shifted so that the point is the origin. */
+    readonly direction: Vec3;
+    /** The vertex that it finds there. */
+    readonly vertex: Vec3;
+    /** The point nearest to the origin of the simplex with this vertex; null in a step that is the last. */
+    readonly nearest: Vec3 | null;
+  }[];
+}
+
+/** The algorithm of Gilbert, Johnson and Keerthi in floating point. */
+export function believe(asking: AsksHeld, point: Vec3, body: Body): Belief {
+  return asking.askHeld("rival", holding(body), point);
 }
 
 export interface Gauge {

@@ -4,17 +4,14 @@ mod options;
 mod step;
 mod summary;
 
-use std::f64::consts::TAU;
-
-use serde_json::{Value, json};
+use serde_json::json;
 
 pub use self::options::Options;
 pub(super) use self::step::Step;
 
 use super::Ending;
 use super::asked::{About, Asked, check_dimensions, record};
-use super::table::{figure, in_full};
-use super::usage::{check_inputs, check_names, question_name, tell};
+use super::usage::{check_inputs, check_names, question_name};
 use crate::input::{OptionNames, Placed};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
@@ -40,7 +37,6 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let bodies = files.map(|file| file.placed);
     check_dimensions(names, &bodies)?;
     let motion = options.step.motion()?;
-    ["a", "b"].iter().filter_map(|body| of_several_turns(&motion[body])).for_each(|hint| tell(&hint));
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = bodies.each_ref().map(Placed::question);
     let mut question = About::Collide.question(&name, &questions, None, None);
@@ -60,24 +56,4 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     results.add(options.json.as_ref(), || Ok(answer));
     outputs.finish(results, &summary::summary(options, &bodies, &motion, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
-}
-
-/// The hint for an angle of more than a full turn, which may be meant in degrees.
-fn of_several_turns(motion: &Value) -> Option<String> {
-    let angle = motion["angle"].as_f64().filter(|angle| angle.abs() > TAU)?;
-    let (shown, turns, radians) = (in_full(angle), figure(angle.abs() / TAU), in_full(angle.to_radians()));
-    Some(format!("the angle {shown} is in radians, {turns} full turns; {shown} degrees are {radians} radians"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_angle_that_may_be_one_in_degrees_earns_a_hint() {
-        let hint = |angle: f64| of_several_turns(&json!({"angle": angle}));
-        let told = "the angle 90.0 is in radians, 14.3239 full turns; 90.0 degrees are 1.5707963267948966 radians";
-        assert_eq!(hint(90.0).as_deref(), Some(told));
-        assert!(hint(-7.0).is_some() && hint(6.25).is_none() && of_several_turns(&json!(null)).is_none());
-    }
 }

@@ -53,7 +53,10 @@ fn answer(status: &str, time: &[f64]) -> String {
         "separate" => "a and b are disjoint during the whole step".to_owned(),
         "contact" if time == [0.0, 0.0] => "a and b meet at the start".to_owned(),
         "contact" => "a and b meet, and are disjoint before".to_owned(),
-        _ => "a and b graze: they are disjoint before, and so near then that no meeting is proved".to_owned(),
+        _ => {
+            "grazing: a and b are disjoint before, and from then on neither a meeting nor that there is none is proved"
+                .to_owned()
+        }
     }
 }
 

@@ -93,5 +93,6 @@ fn gauge(meeting: &Meeting, gauge: f64) -> String {
     } else {
         "taken so many times about their centres they touch".to_owned()
     };
-    format!("{}: {meaning}", figure(gauge))
+    let value = if gauge == f64::INFINITY { "infinite".to_owned() } else { figure(gauge) };
+    format!("{value}: {meaning}")
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 use clap::Args;
 
-pub(super) use self::motion::{Shift, Turn};
+pub(super) use self::motion::{Shift, Turn, radians_of};
 use super::asked::{BodyFile, body_formats};
 use super::table::{ROUNDED, Table, counted, figure, in_full, position};
 use super::usage::tell;
@@ -142,6 +142,22 @@ impl Placing {
         }
         Ok(BodyFile { placed, origin, layout })
     }
+}
+
+/// The placement by a turn and then a move; none where neither is given.
+pub(super) fn put(
+    dimension: usize,
+    turn: Option<&Turn>,
+    shift: Option<&Shift>,
+    options: OptionNames,
+) -> anyhow::Result<Option<Placement>> {
+    let turned = turn.map(|turn| turn.placement(dimension, options)).transpose()?;
+    let moved = shift.map(|shift| shift.placement(dimension, options.shift)).transpose()?;
+    // a move after a turn is the translation of the turned body
+    Ok(match (turned, moved) {
+        (Some(turned), Some(moved)) => Placement::new(turned.matrix().to_vec(), moved.translation().to_vec()),
+        (turned, moved) => turned.or(moved),
+    })
 }
 
 /// The pose in words, with the exact numbers that are taken.

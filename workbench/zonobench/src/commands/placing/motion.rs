@@ -108,8 +108,7 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
         let within = degrees % 360.0;
         ((within / 90.0).round(), within - 90.0 * (within / 90.0).round())
     };
-    let radians = rest * RADIANS[0];
-    let missing = libm::fma(rest, RADIANS[0], -radians) + rest * RADIANS[1];
+    let [radians, missing] = in_radians(rest);
     let (sin, cos) = (libm::sin(radians), libm::cos(radians));
     let (sin, cos) = if rest.abs() == 45.0 {
         (FRAC_1_SQRT_2.copysign(rest), FRAC_1_SQRT_2)
@@ -122,6 +121,18 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
         2 => (-sin, -cos),
         _ => (-cos, sin),
     }
+}
+
+/// An angle in degrees as the sum of two numbers of radians, the first the product rounded once.
+fn in_radians(degrees: f64) -> [f64; 2] {
+    let radians = degrees * RADIANS[0];
+    [radians, libm::fma(degrees, RADIANS[0], -radians) + degrees * RADIANS[1]]
+}
+
+/// An angle in degrees in radians, rounded to nearest but for what doubles of two numbers do not hold.
+pub(in crate::commands) fn radians_of(degrees: f64) -> f64 {
+    let [radians, missing] = in_radians(degrees);
+    radians + missing
 }
 
 fn numbers(text: &str) -> Option<Vec<f64>> {
@@ -163,6 +174,13 @@ mod tests {
                 assert!(off.abs() < 1e-15, "{turn}: {off}");
             }
         }
+    }
+
+    #[test]
+    fn degrees_are_radians_to_the_last_place() {
+        use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI, TAU};
+        assert_eq!([30.0, 90.0, 180.0, -360.0].map(radians_of), [FRAC_PI_6, FRAC_PI_2, PI, -TAU]);
+        assert_eq!(radians_of(1e-3), 1.7453292519943296e-5);
     }
 
     #[test]

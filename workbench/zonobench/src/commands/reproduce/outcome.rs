@@ -90,7 +90,7 @@ fn write_all(out: &Path, folder: Folder, evidence: &Evidence) -> anyhow::Result<
 
 /// The words that a person wants at the end; the ending is bad if an answer was wrong or a figure is missing.
 fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> {
-    let faults = evidence.records.counts.iter().filter_map(|row| Some((&row.key.case, row.fault()?)));
+    let faults = evidence.records.counts.iter().filter_map(|row| Some((row, row.fault()?)));
     let missing = evidence.figures.iter().filter_map(|figure| Some((figure.figure.id, figure.drawing.as_ref().err()?)));
     let mut output = io::stdout().lock();
     writeln!(output, "{} runs counted, {} times kept", evidence.records.counts.len(), evidence.records.times.len())?;
@@ -109,9 +109,10 @@ fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> 
         writeln!(output, "{left_out} claims: left out; {reason}")?;
     }
     let mut ending = Ending::Good;
-    for (case, fault) in faults {
+    for (row, fault) in faults {
         ending = Ending::Bad;
-        writeln!(output, "WRONG {case}: {fault}")?;
+        let word = if row.has_failed() { "FAILED" } else { "WRONG" };
+        writeln!(output, "{word} {}: {fault}", row.key.case)?;
     }
     for (id, reason) in missing {
         ending = Ending::Bad;

@@ -36,6 +36,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "farthest-vertex-from-axis",
         "theorem-6.1",
         "any-schedule",
+        "half-of-translation",
+        "radius-of-rotation",
+        "projected-vertices",
     ],
     experiments: &["motion-strength", "motion-clearance", "motion-misses", "swept-excess", "space-time-scaling"],
     commands: &[(
@@ -51,14 +54,15 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let (own, papers) = (medians("by_control_points"), medians("by_space_time_volumes"));
     let shares = own.iter().filter_map(|end| {
         let other = papers.iter().find(|other| other.input == end.input)?;
-        Some(other.number / end.number)
+        // medians of whole numbers, so that further digits of their ratio say nothing
+        Some((other.number / end.number).round())
     });
     let factor = words::between(range(shares)?);
     let missed = |method, value| found.total("motion-misses", method, value);
     let share = |method| Some(words::percent(missed(method, "missed")? / missed(method, "collisions")?));
     Some(format!(
         "At a clearance of one thousandth the median motion is proved free by {} stretches of time with one direction \
-         each, family by family, where the volumes of Theorem 6.1 take {}: {factor} times as many. Of the collisions \
+         each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as many. Of the collisions \
          of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and samples contradict {} of the \
          answers by control points.",
         numbers(&own)?,

@@ -14,7 +14,8 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
         "<header>\n<p class=\"kicker\">Zonotope Workbench</p>\n<h1>Zonotopes as bounding volumes, running</h1>\n\
          <p class=\"lead\">{PAPER}, describes algorithms on a class of symmetric bodies. This page shows them at \
          work: what each one solves, what was learned from running it, pictures of it, how its cost grows against the \
-         bound in the paper, and whether the paper's statements hold.</p>\n\
+         bound in the paper, and whether the paper's statements hold. In the page that <code>zonobench explore \
+         --open</code> opens, the same geometry can be dragged.</p>\n\
          </header>\n<ul class=\"tiles\">\n"
     );
     for (number, what) in tiles(evidence) {

@@ -17,6 +17,7 @@
 pub mod brute_force;
 pub mod by_hierarchy;
 mod cell;
+mod outline;
 mod parts;
 mod plane;
 mod search;

@@ -1,12 +1,5 @@
 //! One chain of a dynamic hull, by looking at all sites in rationals: the truth the methods are held to.
 //!
-//! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
-//! or above the present sites, its extreme vertex in a direction, the tangents from a point
-//! ([`HullChain`]). No three vertices are on a line; equal sites are one vertex, which has the lowest
-//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
-//! chain.
-//!
 //! # Source
 //! The definitions.
 //!
@@ -20,17 +13,8 @@
 //! # Complexity
 //! n sites, h vertices: an update O(1), a query O(n), the vertices O(n h), all in rationals; space O(n).
 //!
-//! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`]); `present`:
-//! indices in any order, none twice.
-//!
 //! # Numerics
 //! Everything is exact rational arithmetic.
-//!
-//! # Errors
-//! [`UpdateError::Present`] ⇔ a site is inserted that is there;
-//! [`UpdateError::Absent`] ⇔ one is deleted that is not there;
-//! [`UpdateError::Unknown`] ⇔ the index is not below the number of sites.
 //!
 //! # Checked by
 //! Its simplicity; the vertices of both chains beside [`hull`](crate::hull).

@@ -1,12 +1,5 @@
 //! One chain of a dynamic hull, by a tree of bridges over the sorted sites.
 //!
-//! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
-//! or above the present sites, its extreme vertex in a direction, the tangents from a point
-//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
-//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
-//! chain.
-//!
 //! # Source
 //! Lemma 5.6 takes the structure of Overmars and van Leeuwen, Maintenance of configurations in the plane, J. Comput.
 //! Syst. Sci. 23 (1981) 166. Departures: all sites are known beforehand, so that the tree is complete and is never
@@ -33,18 +26,9 @@
 //! site is an end of less than two bridges, whatever the sites are, so the update of a random one is O(log n) expected.
 //! Space 8 to 16 bytes a site beside the sorted sites.
 //!
-//! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
-//! indices in any order, none twice.
-//!
 //! # Numerics
 //! All decisions are exact: doubles with a bound on their error, exact binary numbers where that leaves a doubt. No
 //! coordinate is rounded.
-//!
-//! # Errors
-//! [`UpdateError::Present`](super::UpdateError::Present) ⇔ a site is inserted that is there;
-//! [`UpdateError::Absent`](super::UpdateError::Absent) ⇔ one is deleted that is not there;
-//! [`UpdateError::Unknown`](super::UpdateError::Unknown) ⇔ the index is not below the number of sites.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on all families, and static hulls of large sets.

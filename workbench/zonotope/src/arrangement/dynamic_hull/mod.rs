@@ -12,6 +12,20 @@
 //!
 //! Of an upper chain the last row is the other way round. Every answer is exact, so it does not depend on the method.
 //!
+//! # Statement
+//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
+//! or above the present sites, its extreme vertex in a direction, the tangents from a point ([`HullChain`]). No three
+//! vertices are on a line; equal sites are one vertex, which has the lowest index of those present; sites that share an
+//! abscissa are in the order of their ordinates. No sites have an empty chain.
+//!
+//! # Shapes
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`]); `present`: indices in any order, none
+//! twice.
+//!
+//! # Errors
+//! [`UpdateError::Present`] ⇔ a site is inserted that is there; [`UpdateError::Absent`] ⇔ one is deleted that is not
+//! there; [`UpdateError::Unknown`] ⇔ the index is not below the number of sites.
+//!
 //! # What a walk needs
 //! Lemma 5.6 walks from face to face of the tiling, from vertex to vertex of the dual arrangement. At the vertex of two
 //! lines the walker keeps all lines above it in a lower chain and all lines below it in an upper chain. Along one of

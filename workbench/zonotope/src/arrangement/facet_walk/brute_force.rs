@@ -1,10 +1,5 @@
 //! A walk over the facets, by the list of all of them: the truth the methods are held to.
 //!
-//! # Statement
-//! Input: generators that span space, and a facet. Output: its neighbours across its edges, one after the other as the
-//! walk goes on ([`FacetWalk`]). Zero generators are in no facet; parallel ones are along the same edges; coplanar ones
-//! are along one facet, which has two edges for each class of parallel ones. Flat bodies are refused.
-//!
 //! # Source
 //! The definitions: faces are signs of all generators along a direction, and two facets are neighbours if they share an
 //! edge.
@@ -20,17 +15,8 @@
 //! # Complexity
 //! n generators: O(n³) time and space for the list, in exact numbers; a step is a look into a list.
 //!
-//! # Shapes
-//! `generators`: n × 3, any order, zero, parallel and coplanar ones allowed.
-//!
 //! # Numerics
 //! Everything is exact.
-//!
-//! # Errors
-//! [`WalkError::Flat`] ⇔ the generators do not span space; [`WalkError::NonFinite`] ⇔ a coordinate is NaN or infinite;
-//! [`WalkError::UnknownEdge`] ⇔ the facet has no edge of the number; [`WalkError::UnknownGenerator`],
-//! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
-//! has the direction zero.
 //!
 //! # Checked by
 //! Every edge is found at two facets; the face lattice on all families.

@@ -1,10 +1,5 @@
 //! A walk over the facets, by dynamic convex hulls of the dual lines.
 //!
-//! # Statement
-//! Input: generators that span space, and a facet. Output: its neighbours across its edges, one after the other as the
-//! walk goes on ([`FacetWalk`]). Zero generators are in no facet; parallel ones are along the same edges; coplanar ones
-//! are along one facet, which has two edges for each class of parallel ones. Flat bodies are refused.
-//!
 //! # Source
 //! Lemma 5.6. Departures: the lines are those of a plane tilted by less than any number ([the module](super) says why),
 //! so that none is vertical or parallel to another one; each of the two sets of lines, above and below, has both of its
@@ -28,17 +23,8 @@
 //! O(log² n) in general position, at worst and past the silhouette as well, the paper's bound; preprocessing O(n log
 //! n), space O(n). A neighbour costs as much as a step. `place_at` is O(n).
 //!
-//! # Shapes
-//! `generators`: n × 3, any order, zero, parallel and coplanar ones allowed.
-//!
 //! # Numerics
 //! All decisions are exact: signs of determinants of generators as they are given. Centres and vertices are exact.
-//!
-//! # Errors
-//! [`WalkError::Flat`] ⇔ the generators do not span space; [`WalkError::NonFinite`] ⇔ a coordinate is NaN or infinite;
-//! [`WalkError::UnknownEdge`] ⇔ the facet has no edge of the number; [`WalkError::UnknownGenerator`],
-//! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
-//! has the direction zero.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the face lattice on all families; [`by_scan`](super::by_scan) on long walks.

@@ -1,10 +1,5 @@
 //! A walk over the facets, by one pass over all generators a step.
 //!
-//! # Statement
-//! Input: generators that span space, and a facet. Output: its neighbours across its edges, one after the other as the
-//! walk goes on ([`FacetWalk`]). Zero generators are in no facet; parallel ones are along the same edges; coplanar ones
-//! are along one facet, which has two edges for each class of parallel ones. Flat bodies are refused.
-//!
 //! # Source
 //! Lemma 5.6 asks for less than this takes; this is the plain way that it competes with.
 //!
@@ -20,17 +15,8 @@
 //! generators where these are all nearly in one plane with the facet. Preprocessing O(n log n), to find parallel
 //! generators; space O(n).
 //!
-//! # Shapes
-//! `generators`: n × 3, any order, zero, parallel and coplanar ones allowed.
-//!
 //! # Numerics
 //! All decisions are exact. The pass only leaves out what comes later for certain.
-//!
-//! # Errors
-//! [`WalkError::Flat`] ⇔ the generators do not span space; [`WalkError::NonFinite`] ⇔ a coordinate is NaN or infinite;
-//! [`WalkError::UnknownEdge`] ⇔ the facet has no edge of the number; [`WalkError::UnknownGenerator`],
-//! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
-//! has the direction zero.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on all families; [`by_dynamic_hull`](super::by_dynamic_hull) on long walks.

@@ -4,6 +4,20 @@
 //! are the next vertices along these lines: so this is a walk over the arrangement, and needs nothing but that. Closest
 //! features of moving bodies stand on it.
 //!
+//! # Statement
+//! Input: generators that span space, and a facet. Output: its neighbours across its edges, one after the other as the
+//! walk goes on ([`FacetWalk`]). Zero generators are in no facet; parallel ones are along the same edges; coplanar ones
+//! are along one facet, which has two edges for each class of parallel ones. Flat bodies are refused.
+//!
+//! # Shapes
+//! `generators`: n × 3, any order, zero, parallel and coplanar ones allowed.
+//!
+//! # Errors
+//! [`WalkError::Flat`] ⇔ the generators do not span space; [`WalkError::NonFinite`] ⇔ a coordinate is NaN or infinite;
+//! [`WalkError::UnknownEdge`] ⇔ the facet has no edge of the number; [`WalkError::UnknownGenerator`],
+//! [`WalkError::NotAscending`], [`WalkError::NoPlane`] ⇔ two indices name no facet; [`WalkError::NoDirection`] ⇔ a ray
+//! has the direction zero.
+//!
 //! # Facets
 //! A facet is a zonogon along k ≥ 2 classes of parallel generators; it has 2 k edges and as many neighbours. In general
 //! position it is a parallelogram, and [i, j, s] ([`FacetName`]) names it: i < j are its generators, s · (v_i × v_j)

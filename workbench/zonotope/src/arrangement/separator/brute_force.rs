@@ -1,10 +1,5 @@
 //! The k-th separator of the tiling, from the sorted list of all vertices: the truth the method is held to.
 //!
-//! # Statement
-//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from
-//! the top to the bottom vertex of Q with the tiles 1 … k on its left, as in the [problem](super); a k that ends within
-//! a facet of coplanar generators is refused.
-//!
 //! # Source
 //! The definition.
 //!
@@ -23,10 +18,6 @@
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.
-//!
-//! # Errors
-//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
-//! vertex are one point.
 //!
 //! # Checked by
 //! Hand-worked examples; the areas of the tiles on the left.

@@ -1,11 +1,5 @@
 //! The k-th separator of the tiling, by slope selection in the dual arrangement.
 //!
-//! # Statement
-//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from
-//! the top to the bottom vertex of Q with the tiles 1 … k on its left. Several vertices at one abscissa count from
-//! bottom to top. Zero, vertical, level and parallel generators are ordinary input; a k that ends within a facet of
-//! coplanar generators is refused.
-//!
 //! # Source
 //! Section 5.1, separators. Departures: half-lengths, so a step is 2 v'; every v' is turned to point up; L_k is
 //! followed from top to bottom; L_k leans to the left by less than any angle that matters, which orders vertices with
@@ -29,10 +23,6 @@
 //!
 //! # Numerics
 //! Everything is exact; the points are dyadic.
-//!
-//! # Errors
-//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
-//! vertex are one point.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) for every k, and the areas of the tiles on the left.

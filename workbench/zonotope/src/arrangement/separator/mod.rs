@@ -12,6 +12,17 @@
 //! more than two generators into tiles, for which there is more than one way: they are refused. A vertical generator
 //! has no line and no step, a zero one neither.
 //!
+//! # Statement
+//! Input: the [`DualArrangement`](super::DualArrangement) of n generators and k, from 0 to the number of tiles. Output:
+//! the monotone chain from the top to the bottom vertex of Q with the tiles 1 … k on its left. Several vertices at one
+//! abscissa count from bottom to top. Zero, vertical, level and parallel generators are ordinary input; a k that ends
+//! within a facet of coplanar generators is refused.
+//!
+//! # Errors
+//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
+//! vertex are one point.
+//!
+//! # Methods
 //! | method | cost for n generators | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | O(n² log n), exact rationals | the truth |

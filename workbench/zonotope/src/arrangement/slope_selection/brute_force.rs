@@ -1,10 +1,6 @@
 //! The k-th leftmost vertex of a line arrangement, by sorting the abscissas of all pairs: the truth the methods are
 //! held to.
 //!
-//! # Statement
-//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every
-//! pair of lines that is not parallel counted once.
-//!
 //! # Source
 //! The definition.
 //!
@@ -21,9 +17,6 @@
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.
-//!
-//! # Errors
-//! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
 //!
 //! # Checked by
 //! Hand-worked examples; its simplicity.

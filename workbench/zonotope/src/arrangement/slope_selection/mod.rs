@@ -1,11 +1,19 @@
 //! Problem: the k-th leftmost vertex of an arrangement of lines.
 //!
-//! Every pair of lines that is not parallel has a vertex, counted once, also where several pairs cross in one point: k
-//! runs from 1 to the number of such pairs. A vertical line crosses every line that is not vertical; parallel and equal
-//! lines have no vertex; a line whose normal is zero is no line. Where several vertices share the k-th smallest
-//! abscissa, any of them may be returned: the answer is the abscissa, which is exact. In the dual, lines are points and
-//! the k-th vertex is the pair of points with the k-th smallest slope, whence the name.
+//! In the dual, lines are points and the k-th vertex is the pair of points with the k-th smallest slope, whence the
+//! name.
 //!
+//! # Statement
+//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every
+//! pair of lines that is not parallel counted once, also where several pairs cross in one point. A vertical line
+//! crosses every line that is not vertical; parallel and equal lines have no vertex; a line whose normal is zero is no
+//! line. Where several vertices share the k-th abscissa, any of them may be returned: the answer is the abscissa, which
+//! is exact and does not depend on a seed.
+//!
+//! # Errors
+//! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
+//!
+//! # Methods
 //! | method | cost for n lines | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | O(n² log n), exact rationals | the truth |

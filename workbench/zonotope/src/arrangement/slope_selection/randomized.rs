@@ -1,12 +1,6 @@
 //! The k-th leftmost vertex of a line arrangement, by counting the inversions between the orders along two vertical
 //! lines and narrowing the strip between them with random vertices.
 //!
-//! # Statement
-//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every
-//! pair of lines that is not parallel counted once. Concurrent lines, many vertices at one abscissa, vertical, parallel
-//! and equal lines are ordinary input; where several vertices share the k-th abscissa, one of them is returned and the
-//! abscissa does not depend on the seed.
-//!
 //! # Source
 //! Reference 5 of the paper for the problem; the randomised method is that of Dillencourt, Mount and Netanyahu, Int. J.
 //! Comput. Geom. Appl. 2 (1992) 1, and Matousek, Inf. Proc. Letters 39 (1991) 183. Departures: the strip is open and
@@ -35,9 +29,6 @@
 //! Orders along vertical lines and the order of the listed vertices are exact: sorted by doubles, refined by pairs of
 //! doubles with error bounds, then by exact dyadic fractions. The picked vertices are compared approximately only: they
 //! are guesses.
-//!
-//! # Errors
-//! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force), for every rank.

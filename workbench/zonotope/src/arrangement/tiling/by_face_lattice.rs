@@ -46,8 +46,8 @@
 //! let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 1.0]];
 //! let tiling = facet_tiling(&zonotope::Zonotope::new([0.0; 3], generators.to_vec())?)?;
 //! let sides: Vec<usize> = tiling.tiles.iter().map(|tile| 2 * tile.classes.len()).collect();
-//! assert_eq!(sides, [4, 4, 4, 6]); // ... or one of the three
-//! assert_eq!(tiling.tiles[3].dual, [0.0, 0.0]); // the normal of the hexagon points up
+//! assert_eq!(sides, [4, 4, 6, 4]); // ... or one of the three
+//! assert_eq!(tiling.tiles[2].dual, [0.0, 0.0]); // the normal of the hexagon points up
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -8,8 +8,7 @@
 //! | [`from_optimum`] | the search for the optimum; at each vertex that it finds, [`location_by_pair`] may end it | always answers |
 //!
 //! A step is a function to a [`Proof`], which names the rung that proved it. A step that searches counts the rung of
-//! the
-//! search, too.
+//! the search, too.
 
 use std::cell::OnceCell;
 use std::ops::ControlFlow;

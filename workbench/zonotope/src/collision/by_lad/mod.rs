@@ -24,7 +24,7 @@
 //! 5. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
 //!    proved to be enough (`proof::separation`).
 //! 6. Where λ ≥ 1, the coefficients δ_i / λ are rounded such that three generators balance the rest exactly
-//!    (`in_doubles` of that folder; `exactly` and `pivot` where doubles leave a doubt).
+//!    (`proof::of_optimum`: `in_doubles`, and `exactly` and `pivot` where doubles leave a doubt).
 //!
 //! # Complexity
 //! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).

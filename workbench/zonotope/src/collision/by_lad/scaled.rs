@@ -1,9 +1,9 @@
-//! Questions of extreme size, multiplied by a power of two that brings them where doubles have room.
+//! Queries of extreme size, multiplied by a power of two that brings them where doubles have room.
 //!
 //! Products of three vectors leave the range of doubles where their sizes are beyond about 2^±200, and then only exact
-//! arithmetic can answer. A power of two changes no digit, so a question about the multiplied generators has the same
+//! arithmetic can answer. A power of two changes no digit, so a query about the multiplied generators has the same
 //! answer, and a proof of one is a proof of the other. Where a multiplied coordinate would lose digits to underflow,
-//! the question stays as it is.
+//! the query stays as it is.
 
 use crate::numeric::scaling::{binary_exponent, power_of_two};
 use crate::zonotope::query::Query;
@@ -11,7 +11,7 @@ use crate::zonotope::query::Query;
 /// Displacements up to 2^±128 are asked about as they are.
 const ROOMY_EXPONENT: i32 = 128;
 
-/// The multiples of a question's vectors.
+/// The multiples of the vectors of a query.
 pub(super) struct Scaled<const D: usize> {
     from: [f64; D],
     to: [f64; D],
@@ -19,7 +19,7 @@ pub(super) struct Scaled<const D: usize> {
 }
 
 impl<const D: usize> Scaled<D> {
-    /// The vectors of a question multiplied such that the displacement has a size of about 1; none where it has room
+    /// The vectors of a query multiplied such that the displacement has a size of about 1; none where it has room
     /// enough, where it is zero or beyond the range of doubles, and where digits would be lost. O(1) where there is
     /// room, else O(n).
     pub(super) fn of(query: &Query<'_, D>) -> Option<Self> {
@@ -41,7 +41,7 @@ impl<const D: usize> Scaled<D> {
         are_same.then_some(scaled)
     }
 
-    /// The question about the multiples.
+    /// The query about the multiples.
     pub(super) fn query(&self) -> Query<'_, D> {
         Query::of_finite(self.from, self.to, &self.generators)
     }

@@ -14,8 +14,7 @@
 //! | [`brute_force`] | any D | O(2^n n^D), exact rationals | the truth: every parallelotope of the body |
 //!
 //! [`Method`] names them. The default answers as a method of [`Zonotope`](crate::Zonotope) and, under poses, of
-//! [`Placed`](crate::Placed): `proximity`. How deep bodies overlap is a problem of its own,
-//! [`penetration`].
+//! [`Placed`](crate::Placed): `proximity`. How deep bodies overlap is a problem of its own, [`penetration`].
 
 mod answer;
 pub mod brute_force;

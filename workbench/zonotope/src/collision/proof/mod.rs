@@ -5,6 +5,7 @@
 //! | [`at_vertex`] | two generators that a search in doubles found, of which nothing is known |
 //! | [`of_optimum`] | an optimum of the kernel, rounded or exact |
 //! | [`balance`] | few coefficients that absorb what all others leave of the displacement |
+//! | [`separation`] | a direction in doubles with room for its rounding, or an exact one |
 //! | [`direction_of_doubles`] | doubles near the normal of a facet that separate as the normal does |
 //! | [`tightest_facet`] | the facet that bounds a gauge, found by trying every normal |
 //! | [`vectors`] | the generators in doubles, with bounds of their rounding |

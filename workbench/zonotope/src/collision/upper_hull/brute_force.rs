@@ -1,11 +1,6 @@
 //! The height of the upper hull over a point, from all directions that can decide it: the truth the methods are held
 //! to.
 //!
-//! # Statement
-//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
-//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none
-//! included.
-//!
 //! # Source
 //! The definitions of support function and projection.
 //!
@@ -23,9 +18,6 @@
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.
-//!
-//! # Errors
-//! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
 //! # Checked by
 //! Hand-worked examples; its simplicity.

@@ -1,10 +1,5 @@
 //! The height of the upper hull over a point, by the kernel: the least of a sum of absolute values.
 //!
-//! # Statement
-//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
-//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none
-//! included.
-//!
 //! # Source
 //! Beyond the paper, which searches the tile of p_0. The duality is its own: (x, y, 1) is the normal of a facet.
 //!
@@ -17,14 +12,8 @@
 //! # Complexity
 //! n generators: expected O(n); space O(n).
 //!
-//! # Shapes
-//! `generators`: n × 3, any order, duplicates allowed; `p0`: x first.
-//!
 //! # Numerics
 //! Exact.
-//!
-//! # Errors
-//! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and [`by_slope_selection`](super::by_slope_selection).

@@ -1,10 +1,5 @@
 //! The height of the upper hull over a point, by the paper's search for the tile that holds it.
 //!
-//! # Statement
-//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
-//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none
-//! included.
-//!
 //! # Source
 //! Section 5.1. Departures: those of [membership](crate::collision::by_slope_selection), of which this is the first
 //! half.
@@ -17,14 +12,8 @@
 //! # Complexity
 //! n generators: expected O(n log² n), the paper's bound; space O(n).
 //!
-//! # Shapes
-//! `generators`: n × 3, any order, duplicates allowed; `p0`: x first.
-//!
 //! # Numerics
 //! Exact.
-//!
-//! # Errors
-//! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and [`by_kernel`](super::by_kernel).

@@ -2,9 +2,20 @@
 //!
 //! Z = { Σ δ_i v_i : |δ_i| ≤ 1 } projects to the zonogon Q along the z axis. Over a point p_0 of Q, its boundary
 //! included, the upper hull is at max { z : (p_0, z) ∈ Z }; by the support function that is the least h(x, y, 1) − (x,
-//! y) · p_0. Where p_0 is not in Q, a direction of the plane separates the two. Flat, vertical and empty zonotopes are
-//! ordinary input: Q may be a segment or the origin.
+//! y) · p_0. Where p_0 is not in Q, a direction of the plane separates the two.
 //!
+//! # Statement
+//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
+//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, flat,
+//! vertical and empty bodies included, for which Q may be a segment or the origin.
+//!
+//! # Shapes
+//! `generators`: n × 3, any order, duplicates allowed; `p0`: x first.
+//!
+//! # Errors
+//! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
+//!
+//! # Methods
 //! | method | cost for n generators | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | O(n³), exact rationals | the truth |

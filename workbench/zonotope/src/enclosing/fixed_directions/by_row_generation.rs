@@ -1,12 +1,6 @@
 //! Smallest zonotope along given directions, by one linear program in k + d unknowns to which facet normals are added
 //! as points violate their constraints: the default.
 //!
-//! # Statement
-//! Input: points of R^D, at least one, directions v_i and weights w_i ≥ 0. Output: a centre p and coefficients c_i ≥ 0
-//! in doubles such that every point lies in { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } exactly, with Σ w_i c_i and a proven
-//! lower bound of it; or the proof that a difference of two points is not in the span of the directions. Zero, parallel
-//! and repeated directions are legal; of parallel ones the cheapest is used. The optimum need not be unique.
-//!
 //! # Source
 //! Section 4.2, Theorem 4.6, with three departures. The unknowns are p and c alone, with the constraint
 //! Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for facet normals u: a program in the paper's unknowns b_ij grows
@@ -37,23 +31,12 @@
 //! farthest points cost O(n) for each normal that a pass adds, and a pivot O((k + d)²). Space is O(n + r k + f k). The
 //! paper takes O(n k^{d−1}) for all normals, and a program of k n' + k + d unknowns for n' extreme points.
 //!
-//! # Shapes
-//! `points`: n × D, any order, duplicates allowed; `directions`: k × D of any length; `coefficients`: half-lengths in
-//! units of their directions.
-//!
 //! # Numerics
 //! Whether there is an answer is decided exactly, and every point is inside exactly. The relative gap is always proven
 //! by `lower_bound`. It is about 1e-14 for 20 directions and 5e-14 for 200, unless directions are nearly dependent or
 //! the points are far from the origin for their spread. If the span is not the whole space, the centre must be a point
 //! of doubles in the affine span of the points; where none is near the optimal centre, the gap shows it. A direction of
 //! weight zero is certified only in small programs.
-//!
-//! # Errors
-//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. The
-//! constructor of the problem refuses all other input.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```

@@ -30,11 +30,6 @@ methods! {
 }
 
 impl Method {
-    /// Whether the method works in a dimension: every method works in every dimension from 1 on.
-    pub fn works_in(self, dimension: usize) -> bool {
-        dimension >= 1
-    }
-
     /// The smallest zonotope along the directions around the points, counting operations.
     ///
     /// # Errors

@@ -4,6 +4,25 @@
 //! every point. With unit vectors v_i and unit weights w_i the value is the total length. The problem is a linear
 //! program, and it is feasible just when every difference of two points lies in the span of the directions.
 //!
+//! # Statement
+//! Input: points of R^D, at least one, directions v_i and weights w_i ≥ 0. Output of the methods in doubles: a centre p
+//! and coefficients c_i ≥ 0 in doubles such that every point lies in { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } exactly, with Σ
+//! w_i c_i and a proven lower bound of it; or the proof that a difference of two points is not in the span of the
+//! directions. Zero, parallel and repeated directions are legal; of parallel ones the cheapest is used. The optimum
+//! need not be unique.
+//!
+//! # Shapes
+//! `points`: n × D, any order, duplicates allowed; `directions`: k × D of any length; `coefficients`: half-lengths in
+//! units of their directions.
+//!
+//! # Errors
+//! [`OutOfRange`](FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. The
+//! constructor of the problem refuses all other input.
+//!
+//! # Checked by
+//! [`brute_force`]; the check of such answers in the crate `verifier`.
+//!
+//! # Methods
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | criss-cross method on 2 C(k, d − 1) normals in rationals | the truth that all methods are held to |
@@ -13,10 +32,9 @@
 //! | [`by_row_generation`] | a few passes over the points, pivots of O((k + d)²) | normals are added as points violate them; the default |
 //!
 //! Here n is the number of points, k of directions, d of dimensions, and n' of extreme points. The last three methods
-//! are those of [`Method`]: their answers contain the points exactly and prove their lower bounds, and the crate
-//! `verifier` checks both. [`papers_program`] and [`support_form`] need an engine for linear programs; its answer is
-//! where they begin, not what they return. [`enclosing::along_directions`](super::along_directions) asks the default
-//! method, with the lengths of the directions as weights.
+//! are those of [`Method`], in doubles. [`papers_program`] and [`support_form`] need an engine for linear programs; its
+//! answer is where they begin, not what they return. [`enclosing::along_directions`](super::along_directions) asks the
+//! default method, with the lengths of the directions as weights.
 //!
 //! # The way from directions to a zonotope
 //! 1. `solve` holds the steps that the methods share, in order; it is the file to read first.

@@ -1,8 +1,5 @@
 //! Smallest zonotope along given directions, by the linear program of Section 4.2 as it is printed.
 //!
-//! # Statement
-//! The statement of [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
-//!
 //! # Source
 //! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points that
 //! are extreme along a facet normal. There are two departures. The directions have weights w_i. And the extreme points
@@ -19,17 +16,8 @@
 //! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of k n' + k + d unknowns;
 //! the paper's bound is O(k^{O(d)}).
 //!
-//! # Shapes
-//! Those of [`by_row_generation`](super::by_row_generation).
-//!
 //! # Numerics
 //! The engine's answer is used only to choose normals; an engine that fails costs time, not correctness.
-//!
-//! # Errors
-//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```

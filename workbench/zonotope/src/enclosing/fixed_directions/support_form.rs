@@ -1,8 +1,5 @@
 //! Smallest zonotope along given directions, by one linear program in k + d unknowns over all facet normals.
 //!
-//! # Statement
-//! The statement of [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
-//!
 //! # Source
 //! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for the normals u of all d − 1
 //! directions, and for −u.
@@ -17,17 +14,8 @@
 //! n points, k directions: O(n k^{d−1}) for the rows, 2 C(k, d − 1) rows of k + d entries, then what the engine takes;
 //! space O(k^d).
 //!
-//! # Shapes
-//! Those of [`by_row_generation`](super::by_row_generation).
-//!
 //! # Numerics
 //! The engine's answer is used only to choose rows; an engine that fails costs time, not correctness.
-//!
-//! # Errors
-//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```

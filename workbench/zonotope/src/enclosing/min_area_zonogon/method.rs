@@ -33,11 +33,6 @@ impl Method {
         }
     }
 
-    /// Whether the method works in a dimension: all of them in the plane alone.
-    pub fn works_in(self, dimension: usize) -> bool {
-        dimension == 2
-    }
-
     /// The zonogon of least area around points of the plane, counting operations. `seed` decides the time, never the
     /// area.
     ///

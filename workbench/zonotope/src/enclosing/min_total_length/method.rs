@@ -23,11 +23,6 @@ methods! {
 }
 
 impl Method {
-    /// Whether the method works in a dimension: every method works in every dimension from 1 on.
-    pub fn works_in(self, dimension: usize) -> bool {
-        dimension >= 1
-    }
-
     /// A zonotope around the points whose total length is within 1 + ε of the least; `tally` counts the operations of
     /// the methods that count any.
     ///

@@ -1,10 +1,5 @@
 //! Farthest vertex of each edge of a convex polygon, by comparing the heights of all vertices over the edge.
 //!
-//! # Statement
-//! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance
-//! from its line, and whether vertex s + 1 has the same distance; of two such vertices the first in counter-clockwise
-//! order. Empty for a point and for a segment.
-//!
 //! # Source
 //! The vertex P_s that Section 4.1 of the paper assigns to the edge P_t P_{t+1}. The paper assumes that it is unique.
 //!
@@ -14,9 +9,6 @@
 //!
 //! # Complexity
 //! h edges: O(h²) time, O(h) space.
-//!
-//! # Shapes
-//! One answer an edge, in the order of the edges.
 //!
 //! # Numerics
 //! All decisions are exact.

@@ -1,10 +1,5 @@
 //! Farthest vertex of each edge of a convex polygon, by rotating calipers: half a turn of the calipers for all edges.
 //!
-//! # Statement
-//! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance
-//! from its line, and whether vertex s + 1 has the same distance; of two such vertices the first in counter-clockwise
-//! order. Empty for a point and for a segment.
-//!
 //! # Source
 //! Shamos, Computational geometry (thesis), 1978; the vertex P_s that Section 4.1 of the paper assigns to the edge P_t
 //! P_{t+1}. The paper assumes that it is unique; here ties are reported.
@@ -21,9 +16,6 @@
 //! # Complexity
 //! h edges: O(h) time. At most h cross products in the merges, and log h + 1 in each of at most max(34, h/1024 + 2)
 //! binary searches. 4h bytes, besides the hull.
-//!
-//! # Shapes
-//! One answer an edge, in the order of the edges.
 //!
 //! # Numerics
 //! All decisions are exact.

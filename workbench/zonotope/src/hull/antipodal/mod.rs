@@ -1,9 +1,15 @@
 //! Problem: for each edge of a convex polygon, the vertex farthest from the line through it.
 //!
-//! The polygon is strictly convex, so at most two vertices are farthest from an edge; there are two exactly if the
-//! opposite edge is parallel. Then the first of them in counter-clockwise order is reported, with a flag. A point and a
-//! segment have no edges in this sense, and the answer is empty.
+//! # Statement
+//! Input: a convex hull, strictly convex. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the
+//! largest distance from its line, and whether vertex s + 1 has the same distance, as it does where the opposite edge
+//! is parallel; of two such vertices the first in counter-clockwise order. A point and a segment have no edges in this
+//! sense: for them the answer is empty.
 //!
+//! # Shapes
+//! One answer an edge, in the order of the edges.
+//!
+//! # Methods
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | O(h²) | compares all vertices; the truth |

@@ -1,11 +1,6 @@
 //! Planar convex hull, by discarding: points inside the hull of a sample are dropped in one pass, the others are put in
 //! order around the hull by buckets and scanned once.
 //!
-//! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
-//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
-//! in the input. Equal points give one vertex, collinear points two.
-//!
 //! # Source
 //! Discarding: Akl and Toussaint, A fast convex hull algorithm, 1978, with the hull of a sample in place of a
 //! quadrilateral, and columns in place of edge tests. Order: Andrew, 1979, with bucket sort. The paper takes the hull
@@ -27,17 +22,10 @@
 //! bytes for the points in order, which become the answer, 12m for buckets and positions, and at most 24m more while
 //! one bucket is sorted.
 //!
-//! # Shapes
-//! `points`: n × 2.
-//!
 //! # Numerics
 //! All decisions are exact; step 3 drops a point only when rounding cannot matter. −0 equals 0. Vertices are input
 //! points, bit for bit. If the width of the box is not a normal number or its inverse overflows, steps 3 and 4 are
 //! replaced by a sort.
-//!
-//! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
-//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) and the crate `verifier`.

@@ -8,8 +8,7 @@ use super::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// Of more generators than this, a vertex is certified before the caller sees it: to prove a separating direction takes
-/// a
-/// pass more than the certificate.
+/// a pass more than the certificate.
 const PROOF_LIMIT: usize = 1024;
 
 /// A query with what every stage needs of it: the rounded displacement and coordinates of the plane of directions.

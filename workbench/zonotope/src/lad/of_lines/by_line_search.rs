@@ -1,11 +1,5 @@
 //! Weighted least absolute deviations in the plane, by exact line searches from vertex to vertex.
 //!
-//! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
-//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
-//! Parallel, equal, concurrent and zero lines are ordinary input.
-//!
 //! # Source
 //! Bloomfield and Steiger, Least Absolute Deviations (1983): descend along the lines of the arrangement, each time to
 //! the weighted median of the crossings. Departures: floating point only proposes the median, and an exact pass proves
@@ -22,14 +16,8 @@
 //! n lines: expected O(n) a line search; the number of line searches has no better proven bound than the number of
 //! vertices, O(n²), and is observed to grow like log n. Space O(n).
 //!
-//! # Shapes
-//! `problem`: n lines in any order, duplicates allowed.
-//!
 //! # Numerics
 //! Every sign (side of a line, slope, parallelism) is exact: filtered floating point, then exact dyadic arithmetic.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```

@@ -1,12 +1,6 @@
 //! Weighted least absolute deviations in the plane, by solving a sample and summing up all lines that miss a small cell
 //! around its optimum.
 //!
-//! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
-//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
-//! Parallel, equal, concurrent and zero lines are ordinary input.
-//!
 //! # Source
 //! Beyond the paper, whose search costs O(n log² n): linear time is due to Zemel, Inf. Proc. Letters 18 (1984) 123; the
 //! sampling and the summed-up remainder follow Portnoy and Koenker, Statistical Science 12 (1997) 279. Departure: the
@@ -41,15 +35,9 @@
 //! n lines: expected O(n), with about one pass over the lines and O(n^(2/3) √(log n)) lines in the sample and kept;
 //! worst case that of line searches. Space O(n): one byte a line and the lines kept.
 //!
-//! # Shapes
-//! `problem`: n lines in any order, duplicates allowed.
-//!
 //! # Numerics
 //! A line is summed up only if a bound on every rounding error leaves no doubt about its side; all other decisions
 //! are those of the line searches: filtered floating point, then exact dyadic arithmetic.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```

@@ -1,12 +1,6 @@
 //! Weighted least absolute deviations in the plane, by halving the vertices of the arrangement with vertical lines: the
 //! paper's search.
 //!
-//! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
-//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
-//! Parallel, equal, concurrent, vertical and zero lines are ordinary input.
-//!
 //! # Source
 //! Section 4.1, Theorem 4.5, stated there for the area of the enclosing zonogon and used again in Theorem 5.2.
 //! Departures:
@@ -32,15 +26,9 @@
 //! the candidates, each with O(n log n) expected for the selection and for cutting the strip, and O(n) expected for the
 //! minimum on it, where the paper sorts in O(n log n). Space O(n).
 //!
-//! # Shapes
-//! `problem`: n lines in any order, duplicates allowed.
-//!
 //! # Numerics
 //! Every decision (order along a line, order of abscissas, sign of a slope) is exact: filtered floating point, then
 //! exact dyadic arithmetic.
-//!
-//! # Checked by
-//! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```

@@ -4,6 +4,19 @@
 //! on each cell of the arrangement of the lines a_i · x + b_i = 0. The minimum-area enclosing zonogon of Section 4.1
 //! reduces to it.
 //!
+//! # Statement
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser, named by its defining
+//! lines, with a certificate, or a direction along which the objective falls without bound. When the minimiser is not
+//! unique, the output is one vertex of the set of minimisers and the dimension of that set. Parallel, equal,
+//! concurrent, vertical and zero lines are ordinary input.
+//!
+//! # Shapes
+//! `problem`: n lines in any order, duplicates allowed.
+//!
+//! # Checked by
+//! [`brute_force`], and the crate `verifier` on every answer.
+//!
+//! # Methods
 //! | method | cost for n lines | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | O(n³), exact rationals | the truth |
@@ -11,8 +24,7 @@
 //! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
-//! Every method but the truth returns a minimiser named by its defining lines, with a certificate that
-//! the crate `verifier` checks on its own. The methods share four stages, each resting on those before it:
+//! The methods but the truth share four stages, each resting on those before it:
 //!
 //! | stage | what it holds |
 //! |---|---|

@@ -89,8 +89,7 @@ const MARGIN_GROWTH: f64 = 16.0;
 const LARGEST_MARGIN: f64 = 8.0;
 
 /// Limit of the products of a facet normal and a generator in exact arithmetic, of all charts and margins together.
-/// Where doubles leave more in doubt, as they do of very thin bodies, the next margin is tried,
-/// which leaves less.
+/// Where doubles leave more in doubt, as they do of very thin bodies, the next margin is tried, which leaves less.
 const EXACT_PRODUCT_LIMIT: u64 = 1 << 18;
 
 /// Directions along which the answers of charts are compared.

@@ -1,11 +1,10 @@
 //! The Hausdorff distance of two zonotopes, by branch and bound over cones of directions.
 //!
 //! # Statement
-//! Input: two zonotopes A, B in R^D and a width ω ≥ 0. Output: bounds of the Hausdorff distance with upper ≤
-//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that a `Limit` on the
-//! work, or rounding, allows. `excess` bounds the largest distance of a point of A from B,
-//! which is 0 just when A lies in B. Bodies without generators, flat bodies, zero and parallel generators are ordinary
-//! input.
+//! Input: two zonotopes A, B in R^D and a width ω ≥ 0. Output: bounds of the Hausdorff distance with upper ≤ (1 + ω)
+//! lower, and a direction that attains the lower one up to rounding; or the bounds that a `Limit` on the work, or
+//! rounding, allows. `excess` bounds the largest distance of a point of A from B, which is 0 just when A lies in B.
+//! Bodies without generators, flat bodies, zero and parallel generators are ordinary input.
 //!
 //! # Source
 //! Not in the paper, where Lemma 5.5 bounds H by a constant. Branch and bound over cones, with these bounds.

@@ -52,8 +52,7 @@ impl<const D: usize> ExactDifference<D> {
         self.displacement.iter().all(Dyadic::is_zero)
     }
 
-    /// The exponent of the power of two that is not above the largest coordinate; `None` if there is nothing but
-    /// zeros.
+    /// The exponent of the power of two that is not above the largest coordinate; `None` if there is nothing but zeros.
     pub(super) fn binary_exponent(&self) -> Option<i64> {
         let generators = self.generators.iter().flatten().flatten();
         generators.chain(&self.displacement).filter_map(Dyadic::binary_exponent).max()

@@ -1,10 +1,5 @@
 //! Order reduction, by Combastel's rule: the longest generators are kept, a box takes the others.
 //!
-//! # Statement
-//! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
-//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally long generators the first are kept.
-//!
 //! # Source
 //! Not in the paper: C. Combastel, A state bounding observer based on zonotopes, 2003.
 //!
@@ -15,17 +10,8 @@
 //! # Complexity
 //! O(n log n) comparisons and O(n D) exact additions; O(n) space.
 //!
-//! # Shapes
-//! `generators`: n × D, half-segments, any order.
-//!
 //! # Numerics
 //! Lengths are rounded and decide only what is kept. The box is rounded up to doubles, so containment is exact.
-//!
-//! # Errors
-//! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a side of the box exceeds the largest double.
-//!
-//! # Checked by
-//! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!
 //! # Example
 //! ```

@@ -1,11 +1,6 @@
 //! Order reduction, by principal axes: the generators farthest from the axes are kept, a box along the principal axes
 //! of the others takes these.
 //!
-//! # Statement
-//! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
-//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
-//!
 //! # Source
 //! Not in the paper: A.-K. Kopetzki, B. Schürmann and M. Althoff, Methods for order reduction of zonotopes, 2017. The
 //! principal axes come from Σ v vᵀ, whose eigenvectors are those of a singular value decomposition of the generators.
@@ -18,19 +13,10 @@
 //! # Complexity
 //! O(n log n) comparisons and O(n D²) exact operations; O(n) space.
 //!
-//! # Shapes
-//! `generators`: n × D, half-segments, any order.
-//!
 //! # Numerics
 //! Scores and axes are rounded and decide only what is kept and how the box lies. The axes are rounded to 26 bits, so
 //! that edges along them are vectors of doubles; half-lengths are rounded up to 26 bits, at most 2^-25 too long.
 //! Containment is exact. Where doubles have no room for that, below 2^-1000, the box is one along the coordinate axes.
-//!
-//! # Errors
-//! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a side of the box exceeds the largest double.
-//!
-//! # Checked by
-//! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!
 //! # Example
 //! ```

@@ -1,12 +1,6 @@
 //! Order reduction, by Scott's rule: generators are put one by one into a parallelepiped along some of them, each time
 //! the one that makes it grow least.
 //!
-//! # Statement
-//! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
-//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are
-//! taken.
-//!
 //! # Source
 //! Not in the paper: J. K. Scott, D. M. Raimondo, G. R. Marseglia and R. D. Braatz, Constrained zonotopes, 2016, where
 //! it reduces zonotopes without constraints.
@@ -21,18 +15,9 @@
 //! # Complexity
 //! O(n (n − k) D) and O(n) space.
 //!
-//! # Shapes
-//! `generators`: n × D, half-segments, any order.
-//!
 //! # Numerics
 //! The choices are made in floating point. The frame's directions and half-lengths are rounded as for
 //! [`by_pca`](super::by_pca), and containment is exact. A body without an interior has no such frame: it gets a box.
-//!
-//! # Errors
-//! [`OutOfRange`](super::super::ReductionError::OutOfRange) ⇔ a generator of the answer exceeds the largest double.
-//!
-//! # Checked by
-//! [`brute_force`](super::super::brute_force) and the check of the shares, in rationals.
 //!
 //! # Example
 //! ```

@@ -148,12 +148,6 @@ impl FaceLattice {
         self.zone_starts[zone.0 as usize]..self.zone_starts[zone.0 as usize + 1]
     }
 
-    /// The facets of a zone in the order around the body: the one before each of its [`zone_edges`](Self::zone_edges).
-    pub fn zone_facets(&self, zone: Zone) -> impl ExactSizeIterator<Item = Facet> + Clone {
-        let edges = self.zone_edges(zone);
-        self.edge_left[edges.start as usize..edges.end as usize].iter().copied().map(Facet)
-    }
-
     /// The generators of a zone, all parallel, and whether each points against the zone's edges.
     pub fn zone_generators(&self, zone: Zone) -> impl ExactSizeIterator<Item = Member> {
         let (class, turned) = self.circles.classes[zone.0 as usize];
@@ -166,12 +160,6 @@ impl FaceLattice {
         Vertex(opposite(vertex.0, self.vertex_count()))
     }
 
-    /// The edge on the other side of the centre; it points the same way.
-    pub fn opposite_edge(&self, edge: Edge) -> Edge {
-        let edges = self.zone_edges(self.edge_zone(edge));
-        Edge(edges.start + opposite(edge.0 - edges.start, edges.len()))
-    }
-
     /// The facet on the other side of the centre.
     pub fn opposite_facet(&self, facet: Facet) -> Facet {
         Facet(opposite(facet.0, self.facet_count()))
@@ -182,8 +170,9 @@ impl FaceLattice {
         &self.body
     }
 
-    /// How much memory its arrays of faces take: 92 bytes a facet if all are parallelograms.
-    pub fn size_in_bytes(&self) -> usize {
+    /// How much memory its arrays of faces take.
+    #[cfg(test)]
+    pub(super) fn size_in_bytes(&self) -> usize {
         let indices = 2 * self.edge_ends.len()
             + self.edge_left.len()
             + self.edge_zones.len()

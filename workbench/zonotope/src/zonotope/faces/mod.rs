@@ -5,7 +5,6 @@
 //! |---|---|
 //! | [`FaceLattice`] | faces as indices; incidences, opposite faces, zones |
 //! | [`by_sweep`] | O(n² log n) and the size of the output: the default |
-//! | [`Stars`] | the edges and facets at a vertex |
 //! | `export` | the lattice as OBJ, PLY and STL |
 //! | [`by_recursion`] | vertices and facets in any dimension, O(n^r) for rank r |
 //! | [`brute_force`] | all faces in any dimension, as sign vectors: the truth |
@@ -22,7 +21,6 @@ mod measures;
 mod position;
 mod signs;
 mod slots;
-mod stars;
 #[cfg(test)]
 mod tests;
 
@@ -32,7 +30,6 @@ pub(super) use counts::space_counts;
 pub use error::FacesError;
 pub use lattice::{Edge, FaceLattice, Facet, Vertex, Zone};
 pub use measures::Estimate;
-pub use stars::Stars;
 
 use super::Zonotope;
 use super::directions::Directions;

@@ -59,41 +59,14 @@ fn check_incidences(lattice: &FaceLattice) {
         assert_eq!(lattice.opposite_facet(opposite), facet);
         let reflected: BTreeSet<Vertex> = around.iter().map(|&v| lattice.opposite_vertex(v)).collect();
         assert_eq!(reflected, lattice.facet_vertices(opposite).collect());
-        let reflected: BTreeSet<Edge> = sides.iter().map(|&e| lattice.opposite_edge(e)).collect();
-        assert_eq!(reflected, lattice.facet_edges(opposite).collect());
     }
     assert!(seen_left.iter().chain(&seen_right).all(|&count| count == 1));
-    for edge in edges(lattice) {
-        let opposite = lattice.opposite_edge(edge);
-        let [tail, head] = lattice.edge_ends(edge).map(|v| lattice.opposite_vertex(v));
-        assert_eq!(lattice.edge_ends(opposite), [head, tail]);
-        assert_eq!(lattice.edge_zone(opposite), lattice.edge_zone(edge));
-    }
     for zone in (0..lattice.zone_count() as u32).map(Zone) {
-        for (facet, edge) in lattice.zone_facets(zone).zip(lattice.zone_edges(zone)) {
-            assert_eq!(lattice.edge_facets(Edge(edge))[0], facet);
-            assert!(lattice.facet_zones(facet).any(|z| z == zone));
+        for edge in lattice.zone_edges(zone).map(Edge) {
+            assert_eq!(lattice.edge_zone(edge), zone);
+            assert!(lattice.facet_zones(lattice.edge_facets(edge)[0]).any(|z| z == zone));
         }
     }
-}
-
-/// What is found around vertices is what edges and facets say of their vertices.
-fn check_stars(lattice: &FaceLattice) {
-    let stars = lattice.stars();
-    let mut corners = 0;
-    for vertex in vertices(lattice) {
-        let around: Vec<Edge> = stars.edges(vertex).collect();
-        assert!(around.iter().all(|&edge| lattice.edge_ends(edge).contains(&vertex)));
-        assert_eq!(around.iter().collect::<BTreeSet<_>>().len(), around.len());
-        let facets: Vec<Facet> = stars.facets(vertex).collect();
-        for (k, &facet) in facets.iter().enumerate() {
-            let sides: BTreeSet<Edge> = lattice.facet_edges(facet).collect();
-            assert!(sides.contains(&around[k]) && sides.contains(&around[(k + 1) % around.len()]));
-            assert!(lattice.facet_vertices(facet).any(|v| v == vertex));
-        }
-        corners += around.len();
-    }
-    assert_eq!(corners, 2 * lattice.edge_count());
 }
 
 fn check_against_twin(center: [f64; 3], generators: &[[f64; 3]]) {
@@ -103,7 +76,6 @@ fn check_against_twin(center: [f64; 3], generators: &[[f64; 3]]) {
         return;
     };
     check_incidences(&lattice);
-    check_stars(&lattice);
     let collect = |signs: &mut dyn Iterator<Item = SignVector>| {
         let signs: Vec<SignVector> = signs.collect();
         let count = signs.len();
@@ -188,7 +160,6 @@ fn counts_tell_what_the_sweep_did() {
     let mut counts = OperationCounts::default();
     let found = faces(&body, &mut counts).expect("few directions");
     let Faces::Solid(lattice) = found else { unreachable!("the moment curve is not flat") };
-    check_stars(&lattice);
     assert_eq!(2 * counts.get(Operation::SearchStep), lattice.facet_count() as u64);
     assert!(counts.get(Operation::Comparison) >= 39 * 37);
     assert!(100 * counts.get(Operation::ExactFallback) < counts.get(Operation::Comparison));

@@ -6,9 +6,24 @@ import type { Chapter, OwnData } from "../../kit/chapter";
 import { digits } from "../../kit/vectors";
 import { reduce, type FacetName } from "../../library/space";
 import type { Vec3 } from "../../library/shapes";
+import { cuttingFigure } from "./cutting_figure";
 import { exercises } from "./exercises";
 import { effortFigure, reducedFigure, said, walkFigure } from "./figures";
-import { bodyOf, first, later, MOST_GENERATORS, questions, read, type Answers, type Late, type State } from "./state";
+import {
+  bodyOf,
+  first,
+  later,
+  MOST_GENERATORS,
+  MOST_PARTS,
+  PREPARED,
+  questions,
+  read,
+  type Answers,
+  type Late,
+  type State,
+} from "./state";
+import { hierarchyFigure } from "./hierarchy_figure";
+import { asked, isCrossed, treeFigure } from "./tree_figure";
 import text from "./text.html";
 
 const of = (generators: readonly Vec3[], most: number): State => ({ ...first(), generators, most, path: [[0, 1, 1]] });
@@ -47,13 +62,26 @@ export const againChapter: Chapter<State, Answers, Late> = {
   questions,
   later,
   exercises,
-  figures: { reduced: reducedFigure, walk: walkFigure, effort: effortFigure },
+  figures: {
+    reduced: reducedFigure,
+    hierarchy: hierarchyFigure,
+    walk: walkFigure,
+    cutting: cuttingFigure,
+    tree: treeFigure,
+    effort: effortFigure,
+  },
   reads: {
     count: (state) => state.generators.length,
     lower: (_, { reduced }) => reduced.result.hausdorff.lower,
     upper: (_, { reduced }) => reduced.result.hausdorff.upper,
     verdict: (_, { verdict }) => (verdict ? `${verdict.verdict}, ${verdict.reason}.` : "it is checking …"),
     standing,
+    trapezoids: (_, { cut }) => cut?.cutting.trapezoids.length ?? "…",
+    crossing: (_, { cut }) => cut?.cutting.limit ?? "…",
+    prepared: () => PREPARED.length,
+    leaves: (_, { tree }) => tree?.length ?? "…",
+    crossed: (state, { tree }) => tree?.filter((leaf) => isCrossed(leaf, asked(state))).length ?? "…",
+    levels: (_, { meeting }) => meeting.found.a.map((body) => body.generators.length).join(", "),
   },
   scrubs: {
     most: {
@@ -63,6 +91,22 @@ export const againChapter: Chapter<State, Answers, Late> = {
       step: 1,
       get: (state) => state.most,
       set: (state, most) => ({ ...state, most }),
+    },
+    r: {
+      label: "Parts of the cutting",
+      least: 1,
+      most: MOST_PARTS,
+      step: 1,
+      get: (state) => state.r,
+      set: (state, r) => ({ ...state, r }),
+    },
+    turn: {
+      label: "Direction of the question in degrees",
+      least: 0,
+      most: 360,
+      step: 5,
+      get: (state) => state.turn,
+      set: (state, turn) => ({ ...state, turn }),
     },
   },
   actions: {},
@@ -78,6 +122,30 @@ export const againChapter: Chapter<State, Answers, Late> = {
       figure: "walk",
       title: "A walk",
       words: "Each facet has four neighbours, found from the generators alone.",
+      make: first,
+    },
+    {
+      figure: "hierarchy",
+      title: "Coarse bodies decide",
+      words: "While the bodies are far apart, bodies of few generators tell it.",
+      make: first,
+    },
+    {
+      figure: "hierarchy",
+      title: "Nearer",
+      words: "When they come close, finer levels are needed.",
+      make: () => ({ ...first(), at: 22 }),
+    },
+    {
+      figure: "cutting",
+      title: "A cutting and its image",
+      words: "Each trapezoid is crossed by half of the lines at most; its colour comes again in the tiling.",
+      make: first,
+    },
+    {
+      figure: "tree",
+      title: "The tree over directions",
+      words: "Only leaves on the circle are opened; the others count with their sums.",
       make: first,
     },
   ],

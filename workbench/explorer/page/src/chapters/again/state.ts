@@ -4,9 +4,21 @@ import { polar, randomGenerators } from "../../data/bodies";
 import type { Answer, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { fields, list, vec3, within } from "../../kit/reading";
-import { faces, type Faces } from "../../library/pictures";
+import {
+  cutting,
+  directionTree,
+  faces,
+  hierarchy,
+  tiling,
+  type CuttingAndImage,
+  type Faces,
+  type HierarchyOfTwo,
+  type Tiling,
+} from "../../library/pictures";
 import { locateMany, reduce, walk, type FacetName, type Reduced } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
+import { add3, scale3 } from "../../kit/vectors";
+import { POSITIONS } from "./hierarchy_figure";
 
 export interface State {
   readonly generators: readonly Vec3[];
@@ -15,6 +27,12 @@ export interface State {
   readonly rule: string;
   /** The facets that the walk has been on; the last one is where it stands. */
   readonly path: readonly FacetName[];
+  /** Each trapezoid of the cutting is crossed by at most this part of the lines: one divided by it. */
+  readonly r: number;
+  /** The direction of the question to the tree, in degrees. */
+  readonly turn: number;
+  /** The position of the second body on its way. */
+  readonly at: number;
 }
 
 export interface Effort {
@@ -33,10 +51,32 @@ export interface Answers {
   readonly neighbours: readonly FacetName[] | null;
   readonly efforts: readonly Effort[];
   readonly verdict: Verdict | null;
+  readonly cut: Cut | null;
+  /** The generators of each leaf of the tree of `PREPARED`. */
+  readonly tree: readonly (readonly number[])[] | null;
+  readonly meeting: MeetingOfTwo;
+}
+
+/** A cutting with the tiling in which its image lies. */
+export interface Cut {
+  readonly cutting: CuttingAndImage;
+  readonly tiling: Tiling;
+}
+
+/** Two bodies, the bodies around them that decide, and the way of the second one. */
+export interface MeetingOfTwo {
+  readonly found: HierarchyOfTwo;
+  readonly body: Faces;
+  readonly other: Faces;
+  readonly around: Faces;
+  readonly aroundOther: Faces;
+  readonly way: readonly Vec3[];
 }
 
 export interface Late {
   readonly of: State;
+  readonly cut: Cut;
+  readonly tree: readonly (readonly number[])[];
   readonly verdict: Verdict;
   readonly efforts: readonly Effort[];
 }
@@ -45,9 +85,24 @@ export const RULES = ["cluster", "lemma_5_5", "girard", "combastel", "pca", "sco
 
 export const MOST_GENERATORS = 40;
 
+/** The finest cutting that is drawn. */
+export const MOST_PARTS = 5;
+
 const ORIGIN: Vec3 = [0, 0, 0];
 
-export const first = (): State => ({ generators: polar(11, 0.65), most: 5, rule: "cluster", path: [[0, 4, 1]] });
+/** What the figures of prepared bodies begin with. */
+const ASIDE = { r: 2, turn: 25, at: 12 } as const;
+
+/** The generators of the figure of the tree. */
+export const PREPARED: readonly Vec3[] = randomGenerators(21, 600);
+
+export const first = (): State => ({
+  generators: polar(11, 0.65),
+  most: 5,
+  rule: "cluster",
+  path: [[0, 4, 1]],
+  ...ASIDE,
+});
 
 export function read(told: unknown): State | null {
   const object = fields(told);
@@ -59,6 +114,9 @@ export function read(told: unknown): State | null {
     most: Math.round(within(object?.["most"], 3, MOST_GENERATORS) ?? 5),
     rule: RULES.find((rule) => rule === object?.["rule"]) ?? "cluster",
     path: path && path.length > 0 ? path : [[0, 1, 1]],
+    r: Math.round(within(object?.["r"], 1, MOST_PARTS) ?? ASIDE.r),
+    turn: within(object?.["turn"], 0, 360) ?? ASIDE.turn,
+    at: Math.round(within(object?.["at"], 0, POSITIONS) ?? ASIDE.at),
   };
 }
 
@@ -87,6 +145,34 @@ export function questions(state: State, { ask }: Asking, late: Late | null): Ans
       late && late.of.generators === state.generators && late.of.most === state.most && late.of.rule === state.rule
         ? late.verdict
         : null,
+    cut: late && late.of.generators === state.generators && late.of.r === state.r ? late.cut : null,
+    tree: late?.tree ?? null,
+    meeting: meetingOf(state, ask),
+  };
+}
+
+/** The second body: the first with its generators lying, so that the two are not alike. */
+const lying = (v: Vec3): Vec3 => [v[2], v[0], v[1]];
+
+/** The second body passes the first one at a distance of which some positions meet. */
+function meetingOf(state: State, ask: Asking["ask"]): MeetingOfTwo {
+  const body = bodyOf(state);
+  const reach = state.generators.reduce((sum, v) => sum + Math.hypot(...v), 0);
+  const place = (at: number): Vec3 => {
+    const along = (2 * at) / POSITIONS - 1;
+    return scale3([1.5 * along, 0.25, 0.75 - 0.6 * (1 - along * along)], reach);
+  };
+  const center = place(state.at);
+  const moved: Body = { center, generators: state.generators.map(lying) };
+  const found = ask(hierarchy(body, moved)).result;
+  const shape = (of: Body): Faces => ask(faces(of)).result;
+  return {
+    found,
+    body: shape(body),
+    other: shape(moved),
+    around: shape(found.a[found.levels[0]] ?? body),
+    aroundOther: shape(found.b[found.levels[1]] ?? moved),
+    way: Array.from({ length: POSITIONS + 1 }, (_, at) => add3(ORIGIN, place(at))),
   };
 }
 
@@ -103,6 +189,7 @@ function ignoreRefusal<Value>(ask: () => Value): Value | null {
 const SIZES = [50, 200, 800];
 const ASKED = 40;
 
+let leaves: readonly (readonly number[])[] | null = null;
 let counted: readonly Effort[] | null = null;
 
 export async function later(state: State, { askLater, verifyLater }: AskingLater): Promise<Late> {
@@ -110,6 +197,11 @@ export async function later(state: State, { askLater, verifyLater }: AskingLater
     reduce(bodyOf(state), Math.min(state.most, Math.max(3, state.generators.length)), state.rule),
   );
   const verdict = await verifyLater(reduced);
+  const [cut, tiles] = await Promise.all([
+    askLater(cutting(state.generators, state.r)),
+    askLater(tiling(state.generators)),
+  ]);
+  leaves ??= (await askLater(directionTree(PREPARED))).result.leaves;
   counted ??= await Promise.all(
     SIZES.flatMap((size) =>
       ["by_lad", "by_direction_tree", "by_cutting"].map(async (method): Promise<Effort> => {
@@ -121,5 +213,5 @@ export async function later(state: State, { askLater, verifyLater }: AskingLater
       }),
     ),
   );
-  return { of: state, verdict, efforts: counted };
+  return { of: state, cut: { cutting: cut.result, tiling: tiles.result }, tree: leaves, verdict, efforts: counted };
 }

@@ -31,6 +31,24 @@ export async function test(opened, library) {
   await opened.rest();
   const walked = (await opened.state()).path;
   same(JSON.stringify(walked[walked.length - 1]), JSON.stringify(neighbours[0]), "the facet after a step");
+
+  const cut = library.ask("picture", "cutting", { generators, r: 2 });
+  same(await opened.read("trapezoids"), cut.trapezoids.length, "trapezoids");
+  holds((await page.locator("#again-cutting [data-trapezoid]").count()) > cut.trapezoids.length, "there is an image");
+  await page.locator('[data-scrub="r"]').focus();
+  await page.keyboard.press("ArrowRight");
+  await opened.rest();
+  const finer = library.ask("picture", "cutting", { generators, r: 3 });
+  same(await opened.read("crossing"), finer.limit, "lines that cross a trapezoid");
+  holds((await opened.read("crossed")) < (await opened.read("leaves")), "some leaves stay closed");
+  const told = [];
+  for (let press = 0; press < 8; press += 1) {
+    await page.getByRole("group", { name: "The second body on its way" }).getByLabel("One step on").click();
+    await opened.rest();
+    told.push(await page.getByRole("group", { name: "The second body on its way" }).locator(".told").innerText());
+  }
+  holds(new Set(told).size > 1, `the levels stay the same: ${told[0]}`);
+
   same(await opened.exercise("shared", "1"), true, "the exercise on neighbours");
   same(await opened.exercise("shared", "2"), false, "the exercise on neighbours, answered wrongly");
   same(await opened.exercise("tree", 1), true, "the exercise on the tree");

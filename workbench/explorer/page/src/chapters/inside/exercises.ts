@@ -2,9 +2,10 @@
 
 import type { Exercise } from "../../kit/chapter";
 import { digits } from "../../kit/vectors";
-import { gauge, locate, meet } from "../../library/space";
+import { believe, gauge, locate, meet } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
 import { CUBE, RHOMBIC } from "../../data/bodies";
+import { beyondByALastPlace } from "./presets";
 import { bodyOf, first, otherOf, question, sumOf, type State } from "./state";
 
 const cube: Body = { center: [0, 0, 0], generators: CUBE };
@@ -56,17 +57,21 @@ export const exercises: readonly Exercise<State>[] = [
     },
   },
   {
-    id: "cubes",
-    title: "Two cubes",
+    id: "rival",
+    title: "Proof and belief",
     task:
-      "<p>Two cubes of edge 2 stand side by side, with the centres (0, 0, 0) and (2, 0.5, 0.5). " +
-      "What does the exact answer say?</p>",
-    reply: { choices: ["They are apart.", "They just touch.", "They overlap."] },
-    setting: () => ({ ...first(), generators: CUBE, others: CUBE, point: [2, 0.5, 0.5] }),
-    check(reply, _, { ask }) {
-      const { status } = ask(meet(cube, { center: [2, 0.5, 0.5], generators: CUBE })).result;
-      const right = ["outside", "boundary", "inside"][reply] === status;
-      return { right, because: `The library says ${status}: the decision is exact, not up to a tolerance.` };
+      "<p>The point lies beyond the face of the cube by 2⁻⁵², the least that a double can be beyond 1. What do the " +
+      "proof and the rival say?</p>",
+    reply: {
+      choices: ["Both say outside.", "The proof says outside, the rival inside.", "Both say inside."],
+    },
+    setting: beyondByALastPlace,
+    check(reply, _, asking) {
+      const { point } = beyondByALastPlace();
+      const { member } = asking.ask(locate(point, cube)).result;
+      const { belief } = believe(asking, point, cube);
+      const truth = member ? 2 : belief === "disjoint" ? 0 : 1;
+      return { right: reply === truth, because: `Proof: ${member ? "inside" : "outside"}. Rival: ${belief}.` };
     },
   },
   {

@@ -7,8 +7,9 @@ import { CUBE, randomGenerators } from "../../data/bodies";
 import type { PlaneOfDirections } from "../../library/pictures";
 import { directionsFigure } from "./directions_figure";
 import { exercises } from "./exercises";
-import { presets } from "./presets";
+import { beyondByALastPlace, presets } from "./presets";
 import { proofSentence, reachIn, statusWord } from "./proof";
+import { beliefWords, rivalFigure } from "./rival_figure";
 import { insideSearchFigure } from "./search_figure";
 import { insideSpaceFigure } from "./space_figure";
 import {
@@ -36,7 +37,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   questions,
   later,
   exercises,
-  figures: { space: insideSpaceFigure, search: insideSearchFigure, directions: directionsFigure },
+  figures: { space: insideSpaceFigure, search: insideSearchFigure, directions: directionsFigure, rival: rivalFigure },
   reads: {
     status: statusWord,
     proof: proofSentence,
@@ -44,9 +45,11 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     gauge: (_, { gauge }) => gauge?.gauge ?? "…",
     least: (state, { late }) => leastReach(state, late?.directions ?? null),
     apart: apartSentence,
+    belief: beliefSentence,
   },
   scrubs: {},
   actions: {
+    fool: beyondByALastPlace,
     second: (state) => ({ ...state, many: 0, others: state.others.length > 0 ? [] : CUBE }),
     touch: (state, { gauge }) => {
       const factor = Number(gauge?.gauge);
@@ -81,6 +84,12 @@ export const insideChapter: Chapter<State, Answers, Late> = {
       words: "The reach is a convex function, bent along one line for each generator.",
       make: first,
     },
+    {
+      figure: "rival",
+      title: "A rival that believes",
+      words: "It walks towards the point in rounded numbers, and takes a gap of 2⁻⁵² for nothing.",
+      make: () => ({ ...beyondByALastPlace(), rivalStep: 1 }),
+    },
   ],
   takeaways: (state) => {
     const line = lineOf(question(state));
@@ -102,6 +111,17 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   sentence: (state, answers) =>
     `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge?.gauge ?? "being computed")}.`,
 };
+
+function beliefSentence(_: State, { belief, located }: Answers): string {
+  if (!belief) return "The body has too many generators for this view.";
+  const right = belief.belief === (located.member ? "intersecting" : "disjoint");
+  const steps = belief.steps.length === 1 ? "one step" : `${belief.steps.length} steps`;
+  const proved = located.member ? "inside or on the boundary" : "outside";
+  return (
+    `After ${steps} it says ${beliefWords(belief.belief)}. The proof says that the point is ${proved}: the rival is ` +
+    `${right ? "right" : "wrong"}.`
+  );
+}
 
 /** The reach in the direction at the lowest point. */
 function leastReach(state: State, plane: PlaneOfDirections | null): number | string {

@@ -11,7 +11,11 @@ const of = (generators: readonly Vec3[], point: Vec3, others: readonly Vec3[] = 
   point,
   others,
   step: 0,
+  rivalStep: 0,
 });
+
+/** A point beyond the face of the cube by the least that a double can be beyond 1. */
+export const beyondByALastPlace = (): State => of(CUBE, [1 + Number.EPSILON, 0.3, 0.2]);
 
 export const presets: readonly Preset<State>[] = [
   {
@@ -24,6 +28,11 @@ export const presets: readonly Preset<State>[] = [
     name: "A corner of a cube",
     note: "The point is exactly a corner: on the boundary.",
     make: () => of(CUBE, [1, 1, 1]),
+  },
+  {
+    name: "Beyond a face by 2⁻⁵²",
+    note: "No double lies nearer to the face outside of it. The rival below is fooled.",
+    make: beyondByALastPlace,
   },
   {
     name: "Two cubes that touch",

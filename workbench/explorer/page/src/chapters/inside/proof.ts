@@ -9,7 +9,7 @@ const LISTED = 12;
 
 /** A separating direction as doubles, scaled to the length 1 for pictures and sentences. */
 export function direction(answers: Answers): Vec3 | null {
-  const { certificate } = answers.located.result;
+  const { certificate } = answers.located;
   if (!("separating_direction" in certificate)) return null;
   const [x = 0, y = 0, z = 0] = certificate.separating_direction.map(toNumber);
   const size = length3([x, y, z]);
@@ -23,7 +23,7 @@ export function reachIn(state: State, u: Vec3): number {
 
 /** The coefficients, those of the basis included. */
 export function coefficients(answers: Answers): readonly number[] | null {
-  const { certificate } = answers.located.result;
+  const { certificate } = answers.located;
   return "coefficients" in certificate ? certificate.coefficients : null;
 }
 
@@ -57,7 +57,7 @@ export function proofSentence(state: State, answers: Answers): string {
 
 /** The word for a status. */
 export function statusWord(state: State, answers: Answers): string {
-  const { status } = answers.located.result;
+  const { status } = answers.located;
   if (state.others.length > 0)
     return { inside: "the bodies overlap", boundary: "the bodies just touch", outside: "the bodies are apart" }[status];
   return { inside: "the point is inside", boundary: "the point is on the boundary", outside: "the point is outside" }[

@@ -38,10 +38,10 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
         ...(answers.body?.vertices ?? []),
         ...(answers.other?.vertices ?? []),
       ];
-      view.fit(places);
       const reach = Math.max(...places.map(length3));
       const u = direction(answers);
       drawGap(plane, state, u, reach);
+      view.fit([...places, ...plane.shape.vertices]);
       const path = coefficients(answers);
       const drawn = path && path.length <= 60 ? [{ points: walk(state, path), look: "best" }] : [];
       const arrow = u ? [{ points: [scale3(u, reachIn(state, u)), state.point], look: "thin" }] : [];

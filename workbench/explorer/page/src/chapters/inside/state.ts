@@ -1,6 +1,6 @@
 /** The state of the chapter, and the questions that it asks. */
 
-import type { Answer, Question, Verdict } from "../../engine/questions";
+import type { Question, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { fields, finite, list, vec3, within } from "../../kit/reading";
 import { add3 } from "../../kit/vectors";
@@ -14,7 +14,19 @@ import {
   type PlaneOfDirections,
   type Tiling,
 } from "../../library/pictures";
-import { apart, gauge, locate, meet, type Apart, type Gauge, type Located, type Meeting } from "../../library/space";
+import {
+  apart,
+  believe,
+  gauge,
+  locate,
+  locateHeld,
+  meet,
+  type Apart,
+  type Belief,
+  type Gauge,
+  type Located,
+  type Meeting,
+} from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
 import { randomGenerators } from "../../data/bodies";
 
@@ -28,6 +40,8 @@ export interface State {
   /** The generators of the other body; none where there is only a point. */
   readonly others: readonly Vec3[];
   readonly step: number;
+  /** The step of the rival that is seen. */
+  readonly rivalStep: number;
 }
 
 export interface Late {
@@ -41,9 +55,13 @@ export interface Late {
 }
 
 export interface Answers {
-  readonly located: Answer<Located | Meeting>;
+  readonly located: Located;
+  /** What the rival believes, of bodies that are drawn. */
+  readonly belief: Belief | null;
   /** Null while it is being computed: of very many generators it is not asked in every frame. */
   readonly gauge: Gauge | null;
+  /** The body of both generators, where it is drawn. */
+  readonly sum: Faces | null;
   readonly body: Faces | null;
   readonly other: Faces | null;
   readonly late: Late | null;
@@ -68,6 +86,7 @@ export const first = (): State => ({
   point: [0.9, 0.4, 3.6],
   others: [],
   step: 0,
+  rivalStep: 2,
 });
 
 export function read(told: unknown): State | null {
@@ -81,6 +100,7 @@ export function read(told: unknown): State | null {
     many: Math.round(within(object?.["many"], 0, 20_000) ?? 0),
     others: list(object?.["others"], vec3, MOST_GENERATORS) ?? [],
     step: Math.max(0, Math.round(finite(object?.["step"]) ?? 0)),
+    rivalStep: Math.max(0, Math.round(finite(object?.["rivalStep"]) ?? 0)),
   };
 }
 
@@ -97,10 +117,17 @@ export function generatorsOf(state: State): readonly Vec3[] {
 export const bodyOf = (state: State): Body => ({ center: ORIGIN, generators: generatorsOf(state) });
 export const otherOf = (state: State): Body => ({ center: state.point, generators: state.others });
 
-/** The body of both generators, in which the point lies exactly if the two bodies meet (Lemma 5.1). */
+let sum: { own: readonly Vec3[]; others: readonly Vec3[]; all: readonly Vec3[] } = { own: [], others: [], all: [] };
+
+/**
+ * The body of both generators, in which the point lies exactly if the two bodies meet (Lemma 5.1). It stays the same
+ * list while the point moves.
+ */
 export function sumOf(state: State): Body {
-  const own = generatorsOf(state);
-  return { center: ORIGIN, generators: state.others.length > 0 ? [...own, ...state.others] : own };
+  const [own, { others }] = [generatorsOf(state), state];
+  if (others.length === 0) return { center: ORIGIN, generators: own };
+  if (sum.own !== own || sum.others !== others) sum = { own, others, all: [...own, ...others] };
+  return { center: ORIGIN, generators: sum.all };
 }
 
 export function question(state: State): Question<Located | Meeting> {
@@ -118,11 +145,14 @@ function facesOf(generators: readonly Vec3[], asking: Asking): Faces | null {
 }
 
 export function questions(state: State, asking: Asking, late: Late | null): Answers {
+  const body = sumOf(state);
   const other = state.others.length > 0 ? facesOf(state.others, asking) : null;
   const current = late && sameQuestion(late.of, state) ? late : null;
   return {
-    located: asking.ask(question(state)),
-    gauge: state.many === 0 ? asking.ask(gauge(state.point, sumOf(state))).result : (current?.gauge ?? null),
+    located: locateHeld(asking, state.point, body),
+    belief: body.generators.length <= DRAWN ? believe(asking, state.point, body) : null,
+    gauge: state.many === 0 ? asking.ask(gauge(state.point, body)).result : (current?.gauge ?? null),
+    sum: facesOf(body.generators, asking),
     body: facesOf(generatorsOf(state), asking),
     other: other && { ...other, vertices: other.vertices.map((vertex) => add3(vertex, state.point)) },
     late: current,
@@ -140,16 +170,16 @@ function sameQuestion(one: State, other: State): boolean {
 
 export async function later(state: State, asking: AskingLater): Promise<Late> {
   const { askLater, verifyLater } = asking;
-  const sum = sumOf(state);
-  const drawn = sum.generators.length <= DRAWN;
+  const body = sumOf(state);
+  const drawn = body.generators.length <= DRAWN;
   const spans = state.point.some((value) => value !== 0);
   const located = await askLater(question(state));
   const [verdict, measured, search, tiles, directions, distance] = await Promise.all([
     verifyLater(located),
-    askLater(gauge(state.point, sum)),
-    drawn ? askLater(locationSearch(state.point, sum)).catch(() => null) : null,
-    drawn ? askLater(tiling(sum.generators)).catch(() => null) : null,
-    drawn && spans ? askLater(planeOfDirections(state.point, sum)).catch(() => null) : null,
+    askLater(gauge(state.point, body)),
+    drawn ? askLater(locationSearch(state.point, body)).catch(() => null) : null,
+    drawn ? askLater(tiling(body.generators)).catch(() => null) : null,
+    drawn && spans ? askLater(planeOfDirections(state.point, body)).catch(() => null) : null,
     state.others.length > 0 && drawn ? askLater(apart(bodyOf(state), otherOf(state))).catch(() => null) : null,
   ]);
   return {

@@ -44,11 +44,18 @@ export async function test(opened, library) {
   await agree();
   holds((await opened.read("proof")).startsWith("Take the direction"), "a point outside has a direction");
 
+  await page.locator('button[data-do="fool"]').click();
+  await opened.rest();
+  await agree();
+  holds((await opened.read("belief")).includes("wrong"), `the rival is not fooled: ${await opened.read("belief")}`);
+  await opened.preset("A point in a cube");
+  holds((await opened.read("belief")).includes("right"), `the rival errs: ${await opened.read("belief")}`);
+
   await opened.preset("Ten thousand generators");
   holds(Number.isFinite(await opened.read("gauge")), "ten thousand generators have a gauge");
 
   same(await opened.exercise("gauge", "1.5"), true, "the exercise on the gauge");
   same(await opened.exercise("direction", 1), true, "the exercise on directions");
   same(await opened.exercise("direction", 2), false, "the exercise on directions, answered wrongly");
-  same(await opened.exercise("cubes", 1), true, "the exercise on two cubes");
+  same(await opened.exercise("rival", 1), true, "the exercise on the rival");
 }

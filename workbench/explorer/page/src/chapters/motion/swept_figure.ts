@@ -12,7 +12,7 @@ import { METHODS, type Answers, type State } from "./state";
 const COPIES = 7;
 
 const NAMES: Readonly<Record<string, string>> = {
-  by_farthest_vertex: "a square around the circle of the farthest vertex (Theorem 6.1)",
+  by_farthest_vertex: "a square around the arcs (Theorem 6.1)",
   by_middle_placement: "the same, from the placement in the middle",
   by_least_rectangle: "the least rectangle around the arcs",
   by_shadow: "the body's own shadow, turned by a quarter",

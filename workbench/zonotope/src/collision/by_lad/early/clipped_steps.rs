@@ -66,13 +66,13 @@ pub(super) struct State {
 }
 
 impl State {
-    /// From the y that makes up p without clipping.
+    /// The start of the steps, from the y whose coefficients make up p without clipping.
     pub(super) fn new(y: &[f64; 3], gauge: f64) -> Self {
         let state = Self { y: *y, gauge, at: None };
         Self { y: y.map(|c| c * state.aim()), ..state }
     }
 
-    /// From a y whose clipped coefficients make up a point beyond p, nearly.
+    /// The start of the steps at a y whose clipped coefficients nearly make up a point beyond p.
     pub(super) fn at(y: [f64; 3], gauge: f64) -> Self {
         Self { y, gauge, at: None }
     }
@@ -82,13 +82,13 @@ impl State {
         self.y
     }
 
-    /// The factor by which the coefficients are made for a point beyond p, half the way to the boundary, so that they
-    /// can be made smaller.
+    /// The multiple of p that the steps aim at, half the way from p to the boundary: its coefficients times μ < 1 make
+    /// up p and stay away from ±1.
     fn aim(&self) -> f64 {
         (1.0 + 1.0 / self.gauge) / 2.0
     }
 
-    /// The proof of a point by clipped coefficients.
+    /// The proof of a point by steps on all generators.
     pub(super) fn prove(
         mut self,
         query: &impl KernelQuery,

@@ -42,8 +42,8 @@ pub(crate) struct Combination {
     limit: f64,
 }
 
-/// Rows of a run that have their turn: of every `period` rows in succession those at the places of a range. All numbers
-/// are multiples of [`LANES`].
+/// The rows of a run to which one pass gives coefficients: of every `period` rows in succession those at the places of
+/// a range. All numbers are multiples of [`LANES`].
 #[derive(Debug, Clone)]
 pub(crate) struct Stretches {
     pub(crate) period: usize,
@@ -162,7 +162,7 @@ impl Combination {
         all.witness(query, p, coefficients)
     }
 
-    /// Writes the coefficients of the rows of both runs that have their turn.
+    /// Writes the coefficients of the rows of some stretches of both runs.
     #[inline(always)]
     pub(crate) fn write_all(
         &self,

@@ -86,7 +86,7 @@ impl Lengths {
         SAMPLE_MARGIN * dispatch!(level(), simd => largest_product(simd, among, z)) / longest
     }
 
-    /// The vector that products are to be taken with, and the divisor of their sums.
+    /// The length by which products are divided before they are clipped; 1 where each is divided by its own.
     pub(crate) fn scale(self) -> f64 {
         match self {
             Self::Own => 1.0,
@@ -95,12 +95,12 @@ impl Lengths {
     }
 }
 
-/// The generators from which it is seen that coefficients will be too large.
+/// The generators by which the largest coefficient is estimated.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Among<'a> {
     /// A sample of all.
     Sample(&'a [[f64; 3]]),
-    /// The first ones, at most so many.
+    /// The first ones of the first run, at most this many.
     First(usize),
 }
 

@@ -2,9 +2,9 @@
 //!
 //! The least coefficients v · y, with (Σ v vᵀ) y = p, are then to be had without a pass, and a sample of them says what
 //! is worth a pass. Where it says that all are within (−1, 1), they are written. Where it says that p is farther out
-//! but not near the boundary, they are scaled up and clipped, three octets in four at once, as if no error could come
-//! of it. The fourth octets make up for the error: they get coefficients by Newton steps, which are exact, and need the
-//! sums of a quarter of the generators for each. A step on all of them would cost as much as all of this.
+//! but not near the boundary, they are scaled up and clipped: at once for three octets in four, whose sum is then off
+//! by what the estimate of the scale is off. Every fourth octet makes up for that by Newton steps, each of which needs
+//! the sums of a quarter of the generators. A step on all of them would cost as much as all of this.
 
 use super::clipped_steps::{Effort, State, StepsEnd, inside, separates};
 use super::combination::{Combination, Stretches};
@@ -25,7 +25,7 @@ const TWO_PARTS_LIMIT: usize = 1 << 13;
 /// The most Newton steps of the fourth octets.
 const QUARTER_STEPS: usize = 4;
 
-/// The generators from which it is seen that coefficients will be too large.
+/// The generators by which the largest coefficient is estimated.
 const AMONG: Among<'static> = Among::First(64);
 
 /// Products with the vectors here are coefficients as they stand.
@@ -69,7 +69,7 @@ pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dy
     locate_in_two_parts(query, p, state, beyond, tally).or_else(|| state.prove(query, p, LENGTHS, AMONG, tally))
 }
 
-/// The proof of a member, from a y whose clipped coefficients sum up to about so many times p.
+/// The proof of a member, from a y whose clipped coefficients sum up to about `beyond` p.
 fn locate_in_two_parts(
     query: &impl KernelQuery,
     p: &BoundedVector,

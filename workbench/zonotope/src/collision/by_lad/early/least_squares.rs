@@ -28,7 +28,7 @@ use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 use crate::tally::Rung;
 
-/// The number of eights of generators from which it is seen that coefficients will be too large.
+/// The number of octets of generators by which the largest coefficient is estimated.
 const SAMPLE: usize = 4;
 
 /// Above this number of generators the widest instructions are quicker.

@@ -73,7 +73,7 @@ pub(crate) fn locate(query: &impl KernelQuery, tally: &mut dyn Tally) -> Option<
     proof.map_or_else(|open| locate_by_steps(query, &p, &open, tally), Some)
 }
 
-/// The same of a member of a body that seems to be flat.
+/// The proof that p is in a body that seems to be flat.
 fn locate_flat(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     let rows = query.in_doubles()?;
     let query = &rows.query();
@@ -97,7 +97,7 @@ fn locate_flat(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tall
     }
 }
 
-/// The proof of a point inside whose least coefficients are too large.
+/// The proof of a point inside whose least coefficients are too large, by clipped ones.
 fn locate_by_steps(query: &impl KernelQuery, p: &BoundedVector, open: &Open, tally: &mut dyn Tally) -> Option<Proof> {
     let is_small = query.len() <= OWN_LENGTHS_LIMIT;
     let is_below = |limit: f64| open.gauge < limit; // false for NaN as well
@@ -122,7 +122,7 @@ fn locate_by_steps(query: &impl KernelQuery, p: &BoundedVector, open: &Open, tal
     }
 }
 
-/// The same from all generators, in terms of their own lengths.
+/// The proof from all generators where lengths are uneven, each coefficient in terms of the length of its generator.
 fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
@@ -145,6 +145,7 @@ fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Ta
     State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally)
 }
 
+/// The proof from a sample of many generators: its least coefficients steer those of all, or give a direction.
 fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     let n = query.len();
     let pass = StratifiedPass::of(n);
@@ -216,7 +217,7 @@ mod tests {
         (0..n).map(|_| vector()).collect()
     }
 
-    /// The point at which the ray along u leaves the body, taken so many times.
+    /// A multiple of the vertex that is extreme along u.
     fn point(body: &[[f64; 3]], u: [f64; 3], factor: f64) -> [f64; 3] {
         let p = body.iter().fold([0.0; 3], |sum, v| {
             let sign = f64::copysign(1.0, dot(v, &u));

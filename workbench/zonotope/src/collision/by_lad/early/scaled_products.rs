@@ -16,7 +16,7 @@ use crate::numeric::lanes::number::{Number, clipped, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};
 use crate::numeric::lanes::rows::Runs;
 
-/// The number of eights of generators in a sample, or nearly.
+/// The number of octets of generators in a sample, or nearly.
 const SAMPLE: usize = 16;
 
 /// Steps on the equation. Each starts below its root, and so does the next one, as r is concave.
@@ -97,7 +97,7 @@ impl ScaledProducts {
     }
 }
 
-/// Writes the products of every so manieth octet.
+/// Writes the products of every `step`-th octet.
 #[inline(always)]
 fn read<S: Simd>(simd: S, runs: Runs<'_>, y: &[f64; 3], step: usize, places: &mut [[f64; LANES]]) -> Sums {
     let (y, zero) = (splat(simd, y), f64x8::splat(simd, 0.0));

@@ -18,17 +18,17 @@ use crate::collision::by_lad::early::combination::{Combination, Stretches, Writt
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
-/// The last part has at least so many, and the square root of all more.
+/// The last part has at least this many generators, and √n more.
 const LEAST_LAST_PART: usize = 32;
 
-/// One in so many generators is in the last part at least.
+/// At least one generator in this number is in the last part.
 const LAST_PART_SHARE: usize = 128;
 
-/// The first part may be larger the more there are in the last, of which so much of the square root tells the mean
-/// well enough.
+/// The number of stretches in a group is the root of the last part's size over this number: a larger last part tells
+/// the mean better, and lets the first part be a larger share.
 const STEADY_ROOT: usize = 8;
 
-/// Stretches of at least and at most so many generators.
+/// Limits of the number of generators in a stretch.
 const SHORTEST_STRETCH: usize = 8;
 const LONGEST_STRETCH: usize = 128;
 
@@ -37,7 +37,7 @@ const LONGEST_STRETCH: usize = 128;
 pub(crate) struct StratifiedPass {
     /// Generators in a stretch.
     stretch: usize,
-    /// All but one of so many stretches are of the first part.
+    /// Stretches in a group, all but one of them of the first part.
     group: usize,
     /// Parts between the first and the last.
     halvings: u32,

@@ -179,6 +179,11 @@ impl DirectionTree {
         self.rows.is_empty()
     }
 
+    /// The generators of each leaf, turned to one side, by their indices in the body: for pictures of the tree.
+    pub fn leaves(&self) -> impl Iterator<Item = &[u32]> {
+        self.faces.iter().flat_map(|face| (0..face.leaves()).map(|leaf| &self.places[face.leaf(leaf)]))
+    }
+
     /// The bytes that are held, the generators included.
     pub fn bytes(&self) -> usize {
         let own = size_of_val(&self.rows[..]) + size_of_val(&self.places[..]) + size_of_val(&self.is_turned[..]);

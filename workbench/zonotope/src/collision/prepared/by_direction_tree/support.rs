@@ -4,12 +4,9 @@ use super::DirectionTree;
 use super::query::TreeQuery;
 use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
 use crate::lad::of_generators::seam::generators::Generators;
-use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::exact_linear::{self, ExactVector, exact, negated};
-use crate::numeric::linear::dot;
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Support;
-use crate::zonotope::faces::Estimate;
 use crate::zonotope::query::Query;
 
 impl DirectionTree {
@@ -32,18 +29,6 @@ impl DirectionTree {
                 exact_linear::sum(&point, &if self.is_turned[i] { negated(v) } else { v })
             });
         Ok(Support { exact_value: exact_linear::dot(&point, &u), exact_point: point })
-    }
-
-    /// The support function in doubles, with a bound of its error. O(√n) nodes and leaves of a random body.
-    ///
-    /// # Errors
-    /// [`NonFinite`] if a coordinate of the direction is NaN or infinite.
-    pub fn support_estimate(&self, direction: [f64; 3]) -> Result<Estimate, NonFinite> {
-        NonFinite::check_vector("the direction", &direction)?;
-        let at_center = dot(&bounded::exact(self.center), &bounded::exact(direction));
-        let Bounded { value, error } = at_center + self.at_origin().support(&direction);
-        let error = bounded::finite_or_infinity(error);
-        Ok(Estimate { value, error: if value.is_finite() { error } else { f64::INFINITY } })
     }
 
     /// The sum with the signs of all products with a direction, by a pass over the rows.

@@ -34,7 +34,7 @@ use crate::zonotope::location::Witness;
 /// everything in its plane.
 const THIRD_CANDIDATES: usize = 8;
 
-/// A point whose gauge by the facet differs from 1 by no more than so many roundings is probably on the boundary.
+/// The number of roundings by which the gauge of a point on the boundary may seem to differ from 1.
 const LIKELY_CONTACT: f64 = 8.0;
 
 /// Sums over generators with the signs of their products with a direction, in lanes or not.
@@ -158,7 +158,7 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     let mut signs = Reused::with_capacity(n);
     signs.resize(n, 0.0);
     let sums = Sums::of(&vectors.parts, &u, &mut signs);
-    // a term goes through at most so many additions, and a product of two vectors through three roundings more
+    // a term goes through at most n / 2 + 16 additions, and a product of two vectors through three roundings more
     let roundings = UNIT * (n / 2 + 16) as f64;
     let error = (roundings * sums.reach + 4.0 * UNIT * sums.terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
     let (along, reach) = (dot(p, &bounded::exact(u)), Bounded { value: sums.reach, error });
@@ -239,7 +239,7 @@ impl Facet<'_> {
         self.combined(third, left, signs)
     }
 
-    /// The generator that is farthest from the facet's plane, as one of so many shows.
+    /// The generator that is farthest from the facet's plane among some candidates.
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
         let n = self.vectors.len();

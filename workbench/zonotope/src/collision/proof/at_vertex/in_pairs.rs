@@ -36,7 +36,7 @@ pub(super) fn location_in_pairs(
     let normal = if is_reversed { computed.map(BoundedDoubleDouble::negated) } else { computed };
     let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
     let mut coefficients = shares.to_vec();
-    // at most by so much is Σ |v · n| larger than n · S, as some signs are not certain
+    // a bound of Σ |v · n| − n · S, which is not zero as some signs are not certain
     let mut doubt = BoundedDoubleDouble::exact(0.0);
     for (i, v) in vectors.iter().enumerate() {
         let is_certain = dot(&v.value, u).abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW;

@@ -11,14 +11,14 @@ use crate::zonotope::query::Query;
 
 /// The displacement minus the generators off the basis, each with its coefficient. O(n) exact additions.
 pub(in crate::collision) fn left_over<const D: usize>(
-    question: &Query<'_, D>,
+    query: &Query<'_, D>,
     displacement: &[Dyadic; D],
     coefficients: &[f64],
     basis: &[usize],
 ) -> [Dyadic; D] {
     let mut whole: [ExactSum; D] = std::array::from_fn(|_| ExactSum::default());
     let mut left = displacement.clone();
-    for ((i, g), &c) in question.generators().enumerate().zip(coefficients) {
+    for ((i, g), &c) in query.generators().enumerate().zip(coefficients) {
         if c == 0.0 || basis.contains(&i) {
             continue;
         }
@@ -36,24 +36,24 @@ pub(in crate::collision) fn left_over<const D: usize>(
 /// The coefficients with Σ δ_b g_b = `sum` over the basis; `None` if its generators are dependent or nothing solves the
 /// equation.
 pub(in crate::collision) fn solve<const D: usize>(
-    question: &Query<'_, D>,
+    query: &Query<'_, D>,
     basis: &[usize],
     sum: &[Dyadic; D],
 ) -> Option<Vec<Rational>> {
     let columns: Vec<Vec<Rational>> =
-        basis.iter().map(|&b| question.generator(b).map(exact_linear::rational).to_vec()).collect();
+        basis.iter().map(|&b| query.generator(b).map(exact_linear::rational).to_vec()).collect();
     exact_linear::solve(&columns, &sum.each_ref().map(Dyadic::to_rational))
 }
 
 /// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner
 /// point: D coefficients of the basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
 pub(in crate::collision) fn near_witness<const D: usize>(
-    question: &Query<'_, D>,
+    query: &Query<'_, D>,
     displacement: &[Dyadic; D],
     mut coefficients: Vec<f64>,
 ) -> Option<(Witness, bool)> {
-    let basis = roomy_basis(question, &coefficients);
-    let values = solve(question, &basis, &left_over(question, displacement, &coefficients, &basis))?;
+    let basis = roomy_basis(query, &coefficients);
+    let values = solve(query, &basis, &left_over(query, displacement, &coefficients, &basis))?;
     let mut is_strict = true;
     for (&b, value) in basis.iter().zip(&values) {
         if *value > Rational::ONE || *value < Rational::NEG_ONE {
@@ -68,15 +68,13 @@ pub(in crate::collision) fn near_witness<const D: usize>(
 
 /// Generators, independent in floating point, chosen in turn for the room that their coefficients have times how far
 /// they lead out of the span of those before; in increasing order.
-fn roomy_basis<const D: usize>(question: &Query<'_, D>, coefficients: &[f64]) -> Vec<usize> {
+fn roomy_basis<const D: usize>(query: &Query<'_, D>, coefficients: &[f64]) -> Vec<usize> {
     let mut scales = [0i64; D];
     for (axis, scale) in scales.iter_mut().enumerate() {
-        *scale = question.generators().filter_map(|g| binary_exponent(g[axis])).max().map_or(0, i64::from);
+        *scale = query.generators().filter_map(|g| binary_exponent(g[axis])).max().map_or(0, i64::from);
     }
-    let mut left: Vec<[f64; D]> = question
-        .generators()
-        .map(|g| std::array::from_fn(|axis| scale_by_power_of_two(g[axis], -scales[axis])))
-        .collect();
+    let mut left: Vec<[f64; D]> =
+        query.generators().map(|g| std::array::from_fn(|axis| scale_by_power_of_two(g[axis], -scales[axis]))).collect();
     let mut basis = Vec::new();
     while basis.len() < D {
         let length = |v: &[f64; D]| v.iter().map(|x| x * x).sum::<f64>().sqrt();

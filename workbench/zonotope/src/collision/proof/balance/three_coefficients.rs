@@ -10,10 +10,9 @@ pub(in crate::collision) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [
     [sum[0] - factor * v[0], sum[1] - factor * v[1], sum[2] - factor * v[2]]
 }
 
-/// The coefficients of three vectors that make up a rest whose coordinates are off by at most so much: those that are
-/// certainly within (−1, 1). `None` if the three may be dependent, whose determinant is off by less than the given part
-/// of
-/// the sum of the magnitudes of its terms.
+/// The coefficients of three vectors that make up a rest whose coordinates are off by at most `errors`: those that are
+/// certainly within (−1, 1). `None` if the three may be dependent; their determinant is off by less than the part
+/// `determinant_error` of the sum of the magnitudes of its terms.
 #[inline]
 pub(in crate::collision) fn solve(
     [a, b, c]: &[Vector; 3],

@@ -18,6 +18,8 @@ pub(crate) struct Combination<'a> {
     pub(crate) query: &'a dyn KernelQuery,
     pub(crate) optimum: &'a ExactOptimum,
     pub(crate) p: &'a ExactVector,
+    /// The basis of the optimum's generators alone.
+    plane: Basis,
     pub(crate) basis: Basis,
     /// Other generators that would complete the two generators of the optimum.
     others: Vec<usize>,
@@ -26,13 +28,8 @@ pub(crate) struct Combination<'a> {
 impl<'a> Combination<'a> {
     pub(crate) fn new(query: &'a dyn KernelQuery, optimum: &'a ExactOptimum, p: &'a ExactVector) -> Self {
         let plane = Basis::new(optimum.basis.iter().map(|&b| (b, query.exact_generator(b))).collect());
-        let (basis, others) = Basis::spanning(query, plane);
-        Self { query, optimum, p, basis, others }
-    }
-
-    /// The basis of the optimum's generators alone.
-    fn plane(&self) -> Basis {
-        Basis::new(self.optimum.basis.iter().map(|&b| (b, self.query.exact_generator(b))).collect())
+        let (basis, others) = Basis::spanning(query, plane.clone());
+        Self { query, optimum, p, plane, basis, others }
     }
 
     /// Whether the generators span space.
@@ -44,11 +41,11 @@ impl<'a> Combination<'a> {
     pub(crate) fn witness(&self) -> Option<Witness> {
         let ExactOptimum { reach, along, .. } = self.optimum;
         if reach == along {
-            return self.scaled(&self.plane(), 1.0);
+            return self.scaled(&self.plane, 1.0);
         }
         let inverse = self.factor();
         let of = |index| self.query.exact_generator(index);
-        let others = self.others.iter().filter(|_| self.optimum.basis.len() == 2).map(|&i| self.plane().with(i, of));
+        let others = self.others.iter().filter(|_| self.optimum.basis.len() == 2).map(|&i| self.plane.with(i, of));
         std::iter::once(self.basis.clone())
             .chain(others)
             .flat_map(|basis| [(basis.clone(), inverse), (basis, 1.0)])

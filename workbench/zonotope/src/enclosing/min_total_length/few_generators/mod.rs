@@ -8,9 +8,8 @@
 //! a small ratio, and merges nearby ones where that costs a tenth of ε at most; [`of_less_volume`] keeps neither and
 //! looks for a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is
 //! proven as before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many,
-//! is not proven: it is the best that a local search found with its work. What cannot be made sparser is returned
-//! as it was: one point, needles a hundred million times as long as wide, numbers near the ends of the range of
-//! doubles.
+//! is not proven: it is the best that a local search found with its work. What cannot be made sparser is returned as it
+//! was: one point, needles a hundred million times as long as wide, numbers near the ends of the range of doubles.
 //!
 //! # Source
 //! The problem of Section 4.3, with a question that the paper does not ask. Section 4.2 is the tool: the shortest

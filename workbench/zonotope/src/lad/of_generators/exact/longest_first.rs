@@ -21,8 +21,7 @@ use crate::tally::{Operation, Tally};
 /// At most one generator in this number is among the longest.
 const LONGEST_SHARE: usize = 4;
 
-/// If lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
-/// all.
+/// If lengths are even, one generator in this number is taken instead: the optimum of this part is near that of all.
 const EVEN_SHARE: usize = 16;
 
 /// A generator is nearly orthogonal to a direction of size 1 if their product is at most this part of the generator's

@@ -51,8 +51,7 @@ const THINNEST_APPROACH: f64 = 8.0;
 const BAND_OF_DEVIATIONS: f64 = 2.0;
 
 impl RoundedLines {
-    /// A point near the minimum of linear · x + Σ |a x + b y + c|; the search begins at another guess, if there is
-    /// one.
+    /// A point near the minimum of linear · x + Σ |a x + b y + c|; the search begins at another guess, if there is one.
     ///
     /// A step that ends far beyond the minimum along its way is shortened. The band gets thinner when the steps
     /// are shorter than the band. Where the band gets too thin, the search goes back to the last minimum and thins

@@ -24,8 +24,7 @@ pub(crate) fn descend(lines: &RoundedLines, linear: [f64; 2], start: [f64; 2]) -
     descend_nearly(lines, linear, start, 0.0)
 }
 
-/// [`descend`], but ending as well at a vertex from which the objective falls by at most `enough` times its kink
-/// there.
+/// [`descend`], but ending as well at a vertex from which the objective falls by at most `enough` times its kink there.
 pub(crate) fn descend_nearly(
     lines: &RoundedLines,
     linear: [f64; 2],

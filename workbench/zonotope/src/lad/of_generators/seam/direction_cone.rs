@@ -56,8 +56,7 @@ impl DirectionCone {
         self.center.iter().chain(axes).chain([&self.ball]).all(|c| c.is_finite())
     }
 
-    /// v · center. For every generator that a pass does not report, its sign is the sign of v · u throughout the
-    /// cell.
+    /// v · center. For every generator that a pass does not report, its sign is the sign of v · u throughout the cell.
     #[inline(always)]
     pub(crate) fn value(&self, [x, y, z]: &[f64; 3]) -> f64 {
         let u = &self.center;

@@ -84,8 +84,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     }
 
     /// A generator in doubles with its length |v|_1, of an image a bound of it, of which the generator is off by at
-    /// most
-    /// 4 u.
+    /// most 4 u.
     #[inline(always)]
     fn vector(&self, index: usize) -> ([f64; 3], f64) {
         let [first, second] = self.parts();

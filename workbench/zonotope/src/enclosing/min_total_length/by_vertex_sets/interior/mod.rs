@@ -32,8 +32,7 @@
 //! # Exactness
 //! The method need not be exact: its multipliers are proved by the vertices of their zonotope, and its generators by
 //! containment. But it needs precision. Near the optimum H is ill-conditioned, for needles and clusters of points
-//! beyond what doubles resolve. So the method is generic in its [`Scalar`], and can be run again with pairs of
-//! doubles.
+//! beyond what doubles resolve. So the method is generic in its [`Scalar`], and can be run again with pairs of doubles.
 //!
 //! | file | what it holds |
 //! |---|---|

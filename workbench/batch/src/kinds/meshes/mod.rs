@@ -1,0 +1,3 @@
+//! Kinds about meshes of triangles.
+
+pub(super) mod mesh;

@@ -1,0 +1,7 @@
+//! Meshes of triangles: where two of them meet, and how far apart they are.
+//!
+//! There is no certificate: the check looks at every pair of triangles whose boxes leave a doubt, in whole numbers.
+
+pub(crate) mod check;
+mod sweep;
+mod triangles;

@@ -1,0 +1,106 @@
+//! Pairs of boxes that are near each other, by a sweep along the axis along which they spread most.
+
+use dashu_int::IBig;
+
+use super::triangles::{Point, Triangle};
+
+/// A triangle with the ends of its box.
+pub(super) struct Boxed {
+    pub(super) triangle: Triangle,
+    low: Point,
+    high: Point,
+}
+
+impl Boxed {
+    pub(super) fn new(triangle: Triangle) -> Self {
+        let end = |axis: usize, is_high: bool| {
+            let along = triangle.iter().map(|corner| &corner[axis]);
+            let end = if is_high { along.max() } else { along.min() };
+            end.cloned().unwrap_or(IBig::ZERO)
+        };
+        let (low, high) = ([0, 1, 2].map(|axis| end(axis, false)), [0, 1, 2].map(|axis| end(axis, true)));
+        Self { triangle, low, high }
+    }
+
+    /// Whether the boxes are apart by more than a distance along no axis.
+    fn is_near(&self, other: &Self, reach: &IBig) -> bool {
+        (0..3).all(|k| self.low[k] <= &other.high[k] + reach && other.low[k] <= &self.high[k] + reach)
+    }
+}
+
+/// Calls `visit` with the positions of every pair of boxes that are no farther apart than `reach` along any axis, until
+/// it says that it is done.
+pub(super) fn near_pairs<E>(
+    a: &[Boxed],
+    b: &[Boxed],
+    reach: &IBig,
+    mut visit: impl FnMut([usize; 2]) -> Result<(), E>,
+) -> Result<(), E> {
+    let axis = widest_axis(a, b);
+    let order = |list: &[Boxed]| {
+        let mut order: Vec<usize> = (0..list.len()).collect();
+        order.sort_by(|&i, &j| list[i].low[axis].cmp(&list[j].low[axis]));
+        order
+    };
+    let (of_a, of_b) = (order(a), order(b));
+    let (mut next_a, mut next_b) = (0, 0);
+    let mut open: [Vec<usize>; 2] = [Vec::new(), Vec::new()];
+    while next_a < of_a.len() || next_b < of_b.len() {
+        let is_first = match (of_a.get(next_a), of_b.get(next_b)) {
+            (Some(&i), Some(&j)) => a[i].low[axis] <= b[j].low[axis],
+            (first, _) => first.is_some(),
+        };
+        if is_first {
+            let i = of_a[next_a];
+            next_a += 1;
+            open[1].retain(|&j| &b[j].high[axis] + reach >= a[i].low[axis]);
+            open[1].iter().filter(|&&j| a[i].is_near(&b[j], reach)).try_for_each(|&j| visit([i, j]))?;
+            open[0].push(i);
+        } else {
+            let j = of_b[next_b];
+            next_b += 1;
+            open[0].retain(|&i| &a[i].high[axis] + reach >= b[j].low[axis]);
+            open[0].iter().filter(|&&i| a[i].is_near(&b[j], reach)).try_for_each(|&i| visit([i, j]))?;
+            open[1].push(j);
+        }
+    }
+    Ok(())
+}
+
+/// The axis along which the boxes spread most.
+fn widest_axis(a: &[Boxed], b: &[Boxed]) -> usize {
+    let spread = |axis: usize| {
+        let all = || a.iter().chain(b);
+        let low = all().map(|boxed| &boxed.low[axis]).min();
+        all().map(|boxed| &boxed.high[axis]).max().zip(low).map(|(high, low)| high - low)
+    };
+    (0..3).max_by_key(|&axis| spread(axis)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_pairs_are_those_of_all_pairs() {
+        let corner =
+            |seed: i32, k: i32| [0, 1, 2].map(|axis| IBig::from((seed * 7919 + k * 104_729 + axis * 1299) % 97));
+        let boxes = |from: i32| -> Vec<Boxed> {
+            let triangle = |seed: i32| [corner(seed, 0), corner(seed + 1, 0), corner(seed + 1, 1)];
+            (from..from + 25).map(|seed| Boxed::new(triangle(seed))).collect()
+        };
+        let (a, b) = (boxes(0), boxes(40));
+        for reach in [0, 3, 30] {
+            let reach = IBig::from(reach);
+            let mut found = Vec::new();
+            let visited: Result<(), ()> = near_pairs(&a, &b, &reach, |pair| {
+                found.push(pair);
+                Ok(())
+            });
+            found.sort_unstable();
+            let is_near = |[i, j]: &[usize; 2]| a[*i].is_near(&b[*j], &reach);
+            let all: Vec<[usize; 2]> = (0..25).flat_map(|i| (0..25).map(move |j| [i, j])).filter(is_near).collect();
+            assert_eq!((visited, found), (Ok(()), all));
+        }
+    }
+}

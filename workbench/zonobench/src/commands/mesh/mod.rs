@@ -1,0 +1,47 @@
+//! `zonobench mesh`: whether two meshes of triangles meet, in which pairs, or how far apart they are.
+
+mod options;
+mod reading;
+mod summary;
+
+pub use self::options::Options;
+
+use serde_json::json;
+
+use self::reading::Read;
+use super::Ending;
+use super::asked::Asked;
+use super::placing::put;
+use super::usage::{check_inputs, check_names, question_name};
+use crate::input::OptionNames;
+use crate::output::{Existing, Outputs, Results};
+use batch::Verdict;
+
+/// Reads, solves, checks, and prints what was found.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let inputs = [options.a.as_path(), options.b.as_path()];
+    check_inputs(&inputs)?;
+    check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
+    let outputs = options.json.iter().chain(&options.question);
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
+    let of_a = put(3, options.turn.as_ref(), options.shift.as_ref(), OptionNames::OF_FIRST)?;
+    let of_b = put(3, options.turn_b.as_ref(), options.shift_b.as_ref(), OptionNames::OF_SECOND)?;
+    let [a, b] = [Read::of(&options.a, options.format, of_a)?, Read::of(&options.b, options.format, of_b)?];
+    let mut input = json!({"a": a.question, "b": b.question});
+    if options.pairs {
+        input["pairs"] = true.into();
+    }
+    let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
+    let mut question = json!({"id": name, "kind": "mesh", "input": input});
+    if let Some(volume) = &options.volume {
+        question["method"] = volume.as_str().into();
+    }
+    let asked = Asked::of(question)?;
+    let verdict = asked.verdict();
+    let [question, answer] = [&asked.question, &asked.answer].map(|content| format!("{content}\n").into_bytes());
+    let mut results = Results::default();
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary::summary(options, [&a, &b], &asked, &verdict))?;
+    Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}

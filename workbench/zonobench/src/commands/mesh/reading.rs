@@ -1,0 +1,40 @@
+//! A mesh of a file as a question has it.
+
+use std::path::Path;
+
+use anyhow::{anyhow, bail};
+use batch::json::vector_to_json;
+use batch::placement::Placement;
+use serde_json::{Value, json};
+
+use crate::input::{Format, PointSource, Points, Wanted};
+
+/// A mesh that was read.
+pub(super) struct Read {
+    pub(super) question: Value,
+    pub(super) vertices: usize,
+    pub(super) triangles: usize,
+}
+
+impl Read {
+    /// Reads the vertices of a file and its faces, cut into triangles.
+    pub(super) fn of(file: &Path, format: Option<Format>, pose: Option<Placement>) -> anyhow::Result<Self> {
+        let source = PointSource { format, ..PointSource::of_file(file.to_path_buf()) };
+        let reading = source.read(Wanted::Any)?;
+        let Points::Space(vertices) = &reading.points else {
+            bail!("{}: holds no mesh of space", file.display());
+        };
+        // the corners of a face in the order in which it lists them, from the first one
+        let fan = |face: &[usize]| (2..face.len()).map(|k| [face[0], face[k - 1], face[k]]).collect::<Vec<_>>();
+        let triangles: Vec<[usize; 3]> = reading.faces.iter().flat_map(|face| fan(face)).collect();
+        if triangles.is_empty() {
+            return Err(anyhow!("{}: holds no faces, only points", file.display()));
+        }
+        let vertices: Vec<Value> = vertices.iter().map(|vertex| vector_to_json(vertex)).collect();
+        let mut question = json!({"vertices": vertices, "triangles": triangles});
+        if let Some(pose) = pose {
+            question["pose"] = pose.to_json();
+        }
+        Ok(Self { question, vertices: vertices.len(), triangles: triangles.len() })
+    }
+}

@@ -1,0 +1,151 @@
+//! A question about two placed hierarchies: the frame in which it is asked, and the tests of nodes and of triangles.
+
+use std::borrow::Cow;
+
+use super::frame::Frame;
+use super::hierarchy::{Bvh, PlacedBvh};
+use super::mesh::PlacedMesh;
+use super::triangles::{by_planes, distance as of_triangles, meet_exactly};
+use super::volume::BoundingVolume;
+use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::root::Root;
+use crate::numeric::exact_linear::{ExactVector, exact};
+use crate::numeric::linear::max_norm;
+use crate::numeric::outward::at_least;
+use crate::numeric::tolerance::{DISTANCE_OF_A_FRAME, PRODUCT_UNDERFLOW, ROUNDED_IMAGE};
+
+/// One of both meshes.
+struct Side<'a, V: Clone> {
+    hierarchy: Cow<'a, Bvh<V>>,
+    mesh: PlacedMesh<'a>,
+}
+
+/// Two hierarchies in a common frame, that of the one with the larger unit.
+pub(super) struct Question<'a, V: BoundingVolume> {
+    sides: [Side<'a, V>; 2],
+    /// Whether the second mesh of the caller comes first.
+    is_swapped: bool,
+    pub(super) frame: Frame,
+    turned: V::Turned,
+    /// Largest magnitude of a coordinate of a corner in the frame.
+    size: f64,
+}
+
+impl<'a, V: BoundingVolume> Question<'a, V> {
+    /// The question about two hierarchies under poses. O(1) for rotations; of poses that shear, scale or flatten, both
+    /// are fitted anew where they stand.
+    pub(super) fn new(first: PlacedBvh<'a, V>, second: PlacedBvh<'a, V>) -> Self {
+        let is_swapped = first.hierarchy().exponent < second.hierarchy().exponent;
+        let placed = if is_swapped { [second, first] } else { [first, second] };
+        let meshes = placed.map(|placed| placed.mesh());
+        let exponents = placed.map(|placed| placed.hierarchy().exponent);
+        let (hierarchies, frame) = match Frame::of_poses([meshes[0].pose(), meshes[1].pose()], exponents) {
+            Some(frame) => (placed.map(|placed| Cow::Borrowed(placed.hierarchy())), frame),
+            None => (images(&placed), Frame::of_rounded_points(ROUNDED_IMAGE)),
+        };
+        let [a, b] = hierarchies;
+        let sides = [Side { hierarchy: a, mesh: meshes[0] }, Side { hierarchy: b, mesh: meshes[1] }];
+        let size = 4.0 + max_norm(&frame.shift);
+        Self { sides, is_swapped, frame, turned: V::turned(&frame), size }
+    }
+
+    /// The hierarchies, in the order of the frame.
+    pub(super) fn hierarchies(&self) -> [&Bvh<V>; 2] {
+        [&self.sides[0].hierarchy, &self.sides[1].hierarchy]
+    }
+
+    /// A proven lower bound of the distance of two nodes in the frame, negative where none is proved.
+    #[inline]
+    pub(super) fn gap(&self, [a, b]: [usize; 2]) -> f64 {
+        let [first, second] = self.hierarchies();
+        first.volumes[a].gap(&second.volumes[b], &self.turned) - self.frame.slack
+    }
+
+    /// A pair of triangles in the order of the caller.
+    pub(super) fn ordered(&self, [i, j]: [usize; 2]) -> [usize; 2] {
+        if self.is_swapped { [j, i] } else { [i, j] }
+    }
+
+    /// The corners of a triangle of one side in the frame, with bounds on their errors.
+    #[inline]
+    pub(super) fn corners(&self, side: usize, triangle: usize) -> [BoundedVector; 3] {
+        let hierarchy = &*self.sides[side].hierarchy;
+        let corners = hierarchy.mesh.triangles()[triangle].map(|vertex| hierarchy.points[vertex as usize]);
+        if side == 0 {
+            let error = hierarchy.rounding;
+            return corners.map(|corner| corner.map(|value| Bounded { value, error }));
+        }
+        let error = self.frame.point_error + hierarchy.rounding;
+        let error = if self.frame.ratio == 1.0 { error } else { error + PRODUCT_UNDERFLOW };
+        corners.map(|corner| self.frame.image(&corner).map(|value| Bounded { value, error }))
+    }
+
+    /// Whether two triangles meet.
+    #[inline]
+    pub(super) fn meet(&self, pair: [usize; 2], corners: [&[BoundedVector; 3]; 2], exact_tests: &mut u64) -> bool {
+        by_planes::meet(corners[0], corners[1]).unwrap_or_else(|| {
+            *exact_tests += 1;
+            let [a, b] = self.exact_corners(pair);
+            meet_exactly(&a, &b)
+        })
+    }
+
+    #[cold]
+    fn exact_corners(&self, [i, j]: [usize; 2]) -> [[ExactVector; 3]; 2] {
+        [self.sides[0].mesh.exact_corners(i), self.sides[1].mesh.exact_corners(j)]
+    }
+
+    /// Bounds of the distance of two triangles in the frame.
+    pub(super) fn bounds(&self, corners: [&[BoundedVector; 3]; 2]) -> [f64; 2] {
+        let values = corners.map(|triangle| triangle.map(|corner| corner.map(|c| c.value)));
+        let error = corners.map(|triangle| triangle[0][0].error).into_iter().fold(0.0, f64::max);
+        of_triangles::bounds(&values[0], &values[1], self.size, error)
+    }
+
+    /// The neighbouring doubles of the distance of two triangles, in the coordinates in which the meshes were placed.
+    pub(super) fn exact_bounds(&self, pair: [usize; 2]) -> [f64; 2] {
+        let [a, b] = self.exact_corners(pair);
+        if meet_exactly(&a, &b) {
+            return [0.0; 2];
+        }
+        let square = of_triangles::exact_square(&a, &b);
+        let ratio = square.numerator.to_rational() / square.denominator.to_rational();
+        let root = Root::of(&ratio, 0);
+        [root.below, root.above]
+    }
+
+    /// An upper bound of a length in the frame.
+    pub(super) fn in_frame(&self, length: f64) -> f64 {
+        if !length.is_finite() {
+            return length;
+        }
+        let in_units = Dyadic::from_f64(length).scaled(-self.unit());
+        at_least(&in_units) * (1.0 + 2.0 * DISTANCE_OF_A_FRAME)
+    }
+
+    /// The exponent of the frame's unit.
+    pub(super) fn unit(&self) -> i64 {
+        self.sides[0].hierarchy.exponent
+    }
+}
+
+/// Both hierarchies fitted anew around the rounded places of their vertices, in a common unit.
+fn images<'a, V: BoundingVolume>(placed: &[PlacedBvh<'a, V>; 2]) -> [Cow<'a, Bvh<V>>; 2] {
+    let places = placed.map(|placed| {
+        let pose = *placed.mesh().pose();
+        let vertices = placed.hierarchy().mesh.vertices().iter();
+        vertices
+            .map(|v| if pose == crate::Pose::IDENTITY { exact(*v) } else { pose.exact_point(*v) })
+            .collect::<Vec<_>>()
+    });
+    let exponents = places.iter().flatten().flatten().filter_map(Dyadic::binary_exponent);
+    let exponent = exponents.max().unwrap_or(0) + 1;
+    let [a, b] = [0, 1].map(|side| {
+        let rounded = |place: &ExactVector| place.clone().map(|c| c.scaled(-exponent).to_f64());
+        let points: Vec<[f64; 3]> = places[side].iter().map(rounded).collect();
+        let hierarchy = placed[side].hierarchy();
+        hierarchy.with_points(hierarchy.mesh.clone(), points, exponent, ROUNDED_IMAGE)
+    });
+    [Cow::Owned(a), Cow::Owned(b)]
+}

@@ -1,0 +1,80 @@
+//! Bounding volumes of nodes: one trait, which a hierarchy is generic over.
+//!
+//! A new volume is one file in `volumes/` with this trait, a row in `volumes/mod.rs`, and a line of the list in
+//! `tests/mod.rs`, which then holds it to all that is asked of a volume.
+
+use super::frame::Frame;
+
+/// A convex body around the points of a node.
+///
+/// Coordinates are in units of the mesh: points have coordinates of magnitude at most 1, and a volume reaches at most
+/// [`REACH_LIMIT`](super::frame::REACH_LIMIT) along an axis.
+///
+/// # Example
+/// ```
+/// use zonotope::bvh::{Aabb, BoundingVolume};
+/// let volume = Aabb::around(&[[0.0, 0.0, 0.0], [0.5, 0.25, 0.0]], 0);
+/// assert!(volume.contains(&[0.25, 0.25, 0.0]) && !volume.contains(&[0.25, 0.25, 1.0]));
+/// ```
+pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
+    /// The name, for tables.
+    const NAME: &'static str;
+
+    /// Whether fitting takes time enough for the convex hull of the points to be worth it.
+    const IS_FITTED_TO_HULL: bool;
+
+    /// What a question about two hierarchies computes once.
+    type Turned;
+
+    /// A volume around points, of which there is at least one. `effort` bounds the steps of a search for a better
+    /// one; 0 is the quickest fit.
+    fn around(points: &[[f64; 3]], effort: usize) -> Self;
+
+    /// A volume of the same shape around points that have moved.
+    fn refitted(&self, points: &[[f64; 3]]) -> Self {
+        Self::around(points, 0)
+    }
+
+    /// What tests of pairs need to know of a frame.
+    fn turned(frame: &Frame) -> Self::Turned;
+
+    /// The largest gap between this volume, of the first hierarchy, and one of the second, along the directions that
+    /// the test tries; negative where none of them has a gap. Directions have a length of at most 1, and rounding is
+    /// what [`Frame::slack`] bounds: a gap above it proves that the volumes are disjoint, and how far apart at least.
+    fn gap(&self, other: &Self, turned: &Self::Turned) -> f64;
+
+    /// Whether a point is inside, exactly.
+    fn contains(&self, point: &[f64; 3]) -> bool;
+
+    /// The expected number of overlaps with its like in a random relative placement, up to a constant: V1 V2 + 2 V3 in
+    /// intrinsic volumes, the mean width, half the surface and the volume, by the kinematic formula.
+    fn expected_overlaps(&self) -> f64;
+}
+
+/// V1 V2 + 2 V3 of a zonotope: V1 is twice the total half-length, V2 and V3 the sums of areas and volumes of the
+/// parallelograms and parallelepipeds of its generators.
+pub(super) fn expected_overlaps_of_generators(generators: &[[f64; 3]]) -> f64 {
+    use crate::numeric::linear::{cross, dot, euclidean_norm};
+    let (mut length, mut area, mut volume) = (0.0, 0.0, 0.0);
+    for (k, c) in generators.iter().enumerate() {
+        length += euclidean_norm(c);
+        for (j, b) in generators[..k].iter().enumerate() {
+            let normal = cross(b, c);
+            area += euclidean_norm(&normal);
+            volume += generators[..j].iter().map(|a| dot(a, &normal).abs()).sum::<f64>();
+        }
+    }
+    2.0 * length * 4.0 * area + 2.0 * 8.0 * volume
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_expected_overlaps_of_a_box_by_hand() {
+        // half-lengths 1, 2, 3: V1 = 12, V2 = 44, V3 = 48
+        let found = expected_overlaps_of_generators(&[[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]);
+        assert_eq!(found, 12.0 * 44.0 + 2.0 * 48.0);
+    }
+}

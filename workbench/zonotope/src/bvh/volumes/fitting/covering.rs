@@ -1,0 +1,143 @@
+//! Half-lengths along given directions around points, by the enclosing program.
+
+use crate::enclosing::fixed_directions::Generation;
+use crate::numeric::linear::{cross, dot, euclidean_norm};
+
+/// The work that one program may take, in entries and products: some hundred times that of an ordinary one.
+const WORK_LIMIT: u64 = 4_000_000;
+
+/// Programs solved with the derivatives at the answer before as weights.
+const REWEIGHTINGS: usize = 2;
+
+/// Three directions span less than this volume: they are near a plane, where the program forgets what is across it.
+const FLAT: f64 = 0.02;
+
+/// A zonotope around points, in doubles.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Covering {
+    pub(super) center: [f64; 3],
+    pub(super) directions: Vec<[f64; 3]>,
+    pub(super) half_lengths: Vec<f64>,
+}
+
+impl Covering {
+    /// The expected number of overlaps with its like, up to a constant.
+    pub(super) fn aim(&self) -> f64 {
+        let sums = Sums::of(&self.directions, &self.half_lengths);
+        sums.length * sums.area + 2.0 * sums.volume
+    }
+
+    /// The derivatives of the aim by the half-lengths, none negative.
+    pub(super) fn weights(&self) -> Vec<f64> {
+        Sums::of(&self.directions, &self.half_lengths).derivatives
+    }
+
+    /// The covering along given directions, re-weighted; `None` where they nearly lie in a plane.
+    pub(super) fn along(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Option<Self> {
+        let mut best = Self::with_weights(points, directions, vec![1.0; directions.len()])?;
+        for _ in 0..REWEIGHTINGS {
+            let Some(next) = Self::with_weights(points, directions, best.weights()) else { break };
+            if next.aim() >= best.aim() {
+                break;
+            }
+            best = next;
+        }
+        Some(best)
+    }
+
+    /// The covering of least weight along given directions; `None` where they nearly lie in a plane.
+    pub(super) fn with_weights(points: &[[f64; 3]], directions: &[[f64; 3]], weights: Vec<f64>) -> Option<Self> {
+        if !span_space(directions) {
+            return None;
+        }
+        let heaviest = weights.iter().fold(0.0, |m: f64, w| m.max(*w));
+        let weights = if heaviest > 0.0 && heaviest.is_finite() {
+            // a direction that costs nothing would grow without need
+            weights.iter().map(|w| (w / heaviest).max(1e-3)).collect()
+        } else {
+            vec![1.0; directions.len()]
+        };
+        let mut generation = Generation::new(3, points, directions.to_vec(), weights, &mut ());
+        generation.set_precision(1e-12);
+        generation.set_work_limit(WORK_LIMIT);
+        generation.run(&mut ()).ok()?;
+        let half_lengths: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
+        let is_finite = half_lengths.iter().chain(&generation.program.center()).all(|c| c.is_finite());
+        let center = generation.program.center();
+        is_finite.then(|| Self { center, directions: directions.to_vec(), half_lengths })
+    }
+}
+
+/// Whether directions span space, and not nearly a plane alone.
+fn span_space(directions: &[[f64; 3]]) -> bool {
+    let volumes = directions.iter().enumerate().flat_map(|(k, c)| {
+        directions[..k].iter().enumerate().flat_map(move |(j, b)| {
+            let normal = cross(b, c);
+            directions[..j].iter().map(move |a| dot(a, &normal).abs())
+        })
+    });
+    let unique = |(k, d): (usize, &[f64; 3])| {
+        directions[..k].iter().all(|e| euclidean_norm(&cross(d, e)) > FLAT) && unit(d).is_some()
+    };
+    volumes.fold(0.0, f64::max) > FLAT && directions.iter().enumerate().all(unique)
+}
+
+/// The intrinsic volumes of a zonotope: V1, V2, V3, and the derivatives of V1 V2 + 2 V3 by its half-lengths.
+struct Sums {
+    length: f64,
+    area: f64,
+    volume: f64,
+    derivatives: Vec<f64>,
+}
+
+impl Sums {
+    fn of(directions: &[[f64; 3]], half_lengths: &[f64]) -> Self {
+        let count = directions.len();
+        let length = 2.0 * half_lengths.iter().sum::<f64>();
+        let (mut area, mut volume) = (0.0, 0.0);
+        let (mut by_area, mut by_volume) = (vec![0.0; count], vec![0.0; count]);
+        for k in 0..count {
+            for j in 0..k {
+                let normal = cross(&directions[j], &directions[k]);
+                let sine = 4.0 * euclidean_norm(&normal);
+                area += sine * half_lengths[j] * half_lengths[k];
+                by_area[j] += sine * half_lengths[k];
+                by_area[k] += sine * half_lengths[j];
+                for i in 0..j {
+                    let [a, b, c] = [half_lengths[i], half_lengths[j], half_lengths[k]];
+                    let part = 8.0 * dot(&directions[i], &normal).abs();
+                    volume += part * a * b * c;
+                    by_volume[i] += part * b * c;
+                    by_volume[j] += part * a * c;
+                    by_volume[k] += part * a * b;
+                }
+            }
+        }
+        let derivative = |(by_area, by_volume): (&f64, &f64)| 2.0 * area + length * by_area + 2.0 * by_volume;
+        let derivatives = by_area.iter().zip(&by_volume).map(derivative).collect();
+        Self { length, area, volume, derivatives }
+    }
+}
+
+/// The unit vector along another one, if that is long enough to have a direction.
+pub(super) fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
+    let length = euclidean_norm(v);
+    (length > 1e-9 && length.is_finite()).then(|| v.map(|c| c / length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cube_costs_its_intrinsic_volumes() {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let corners: Vec<[f64; 3]> =
+            (0..8).map(|i| [0, 1, 2].map(|k| if i >> k & 1 == 0 { -1.0 } else { 1.0 })).collect();
+        let found = Covering::along(&corners, &axes).expect("they span space");
+        assert!((found.aim() - (6.0 * 12.0 + 16.0)).abs() < 1e-9);
+        // by a half-length: 2 · 12 + 6 · 8 + 2 · 8
+        assert!(found.weights().iter().all(|w| (w - 88.0).abs() < 1e-9));
+        assert_eq!(Covering::along(&corners, &[axes[0], axes[1], [0.8, 0.6, 0.0]]), None);
+    }
+}

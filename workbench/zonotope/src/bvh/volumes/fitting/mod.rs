@@ -1,0 +1,87 @@
+//! Directions and half-lengths of generators around points, guessed in doubles: nothing here is proved.
+//!
+//! The aim is the least expected number of overlaps of a node with its like ([`BoundingVolume::expected_overlaps`]). An
+//! enclosing program has a linear aim, so it is solved with the derivatives of the expected overlaps as weights, at the
+//! answer before.
+//!
+//! | file | what it finds |
+//! |---|---|
+//! | `boxes` | orthogonal directions, by turning a box until no turn makes it better |
+//! | `covering` | half-lengths along given directions, by the enclosing program with weights that follow the aim |
+//! | `directions` | few directions: from a dictionary, then by changing one at a time |
+//!
+//! [`BoundingVolume::expected_overlaps`]: crate::bvh::BoundingVolume::expected_overlaps
+
+mod boxes;
+mod covering;
+mod directions;
+
+use self::covering::Covering;
+
+/// A guess: unit vectors with half-lengths around a centre.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Fitted {
+    pub(super) center: [f64; 3],
+    pub(super) directions: Vec<[f64; 3]>,
+    pub(super) half_lengths: Vec<f64>,
+}
+
+impl Fitted {
+    /// The box of all points with coordinates of magnitude at most 1.
+    pub(super) fn unit_cube() -> Self {
+        Self { center: [0.0; 3], directions: boxes::AXES.to_vec(), half_lengths: vec![1.0; 3] }
+    }
+}
+
+/// Points in a frame of their own, in which their box has the half-length 1.
+struct Local {
+    points: Vec<[f64; 3]>,
+    center: [f64; 3],
+    size: f64,
+}
+
+impl Local {
+    fn new(points: &[[f64; 3]]) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for point in points {
+            for k in 0..3 {
+                low[k] = low[k].min(point[k]);
+                high[k] = high[k].max(point[k]);
+            }
+        }
+        let center: [f64; 3] = std::array::from_fn(|k| 0.5 * (low[k] + high[k]));
+        let size = (0..3).map(|k| 0.5 * (high[k] - low[k])).fold(0.0, f64::max);
+        let size = if size > f64::MIN_POSITIVE { size } else { 1.0 };
+        let local = |p: &[f64; 3]| std::array::from_fn(|k| (p[k] - center[k]) / size);
+        Self { points: points.iter().map(local).collect(), center, size }
+    }
+
+    fn fitted(&self, covering: Covering) -> Fitted {
+        Fitted {
+            center: std::array::from_fn(|k| self.center[k] + self.size * covering.center[k]),
+            half_lengths: covering.half_lengths.iter().map(|c| c * self.size).collect(),
+            directions: covering.directions,
+        }
+    }
+}
+
+/// A box in any position.
+pub(super) fn fit_box(points: &[[f64; 3]]) -> Fitted {
+    let local = Local::new(points);
+    local.fitted(boxes::search(&local.points))
+}
+
+/// A zonotope of at most `count` generators, no worse than the box; `effort` bounds the changes that are tried.
+pub(super) fn fit(points: &[[f64; 3]], count: usize, effort: usize) -> Fitted {
+    let local = Local::new(points);
+    let start = boxes::search(&local.points);
+    local.fitted(directions::search(&local.points, start, count, effort))
+}
+
+/// A zonotope along given directions, zero ones left out; the box along the axes where they do not serve.
+pub(super) fn refit(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Fitted {
+    let local = Local::new(points);
+    let kept: Vec<[f64; 3]> = directions.iter().copied().filter(|d| *d != [0.0; 3]).collect();
+    let found = Covering::along(&local.points, &kept);
+    local.fitted(found.unwrap_or_else(|| boxes::along(&local.points, boxes::AXES)))
+}

@@ -1,0 +1,18 @@
+//! The bounding volumes that a hierarchy may have.
+//!
+//! | file | volume | directions of a test |
+//! |---|---|---|
+//! | [`aabb`] | box along the axes of the mesh | 6 faces |
+//! | [`sphere`] | sphere around the middle of the box | 1 |
+//! | [`oriented_box`] | box along orthogonal directions that a search finds | 6 faces, 9 pairs of edges |
+//! | [`discrete_polytope`] | polytope of 18 or 26 fixed normals | 18 or 26 faces |
+//! | [`zonotope`] | zonotope of 3 to 8 generators | its own facets and the other one's; of 3 generators also 9 pairs |
+//!
+//! `fitting` finds directions of generators.
+
+pub mod aabb;
+pub mod discrete_polytope;
+mod fitting;
+pub mod oriented_box;
+pub mod sphere;
+pub mod zonotope;

@@ -1,0 +1,42 @@
+//! The box along orthogonal directions that a search finds.
+
+use super::fitting::fit_box;
+use super::zonotope::Zonotope3;
+use crate::bvh::frame::Frame;
+use crate::bvh::volume::BoundingVolume;
+
+/// A box in any position, searched for the least expected number of overlaps: a zonotope of three orthogonal
+/// generators, tested as one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OrientedBox(Zonotope3);
+
+impl BoundingVolume for OrientedBox {
+    const NAME: &'static str = "OBB";
+    const IS_FITTED_TO_HULL: bool = true;
+    type Turned = Frame;
+
+    fn around(points: &[[f64; 3]], _effort: usize) -> Self {
+        Self(Zonotope3::of_fit(&fit_box(points), points))
+    }
+
+    fn refitted(&self, points: &[[f64; 3]]) -> Self {
+        Self(self.0.refitted(points))
+    }
+
+    fn turned(frame: &Frame) -> Frame {
+        *frame
+    }
+
+    #[inline]
+    fn gap(&self, other: &Self, frame: &Frame) -> f64 {
+        self.0.gap(&other.0, frame)
+    }
+
+    fn contains(&self, point: &[f64; 3]) -> bool {
+        self.0.contains(point)
+    }
+
+    fn expected_overlaps(&self) -> f64 {
+        self.0.expected_overlaps()
+    }
+}

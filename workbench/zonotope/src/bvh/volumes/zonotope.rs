@@ -1,0 +1,219 @@
+//! Zonotopes of few generators, with the normals of their facets stored.
+//!
+//! The directions span space, and every pair of them has its normal here, so the body is cut out by its normals however
+//! short a generator is. Beside the generators the body has a cube: the margin, which takes up all rounding of the fit.
+//! A test goes along the facet normals of both bodies, eight at a time; of three generators along the normals of pairs
+//! of edges of both as well, which makes the test complete.
+
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+
+use super::fitting::{Fitted, fit, refit};
+use crate::bvh::frame::{Frame, REACH_LIMIT};
+use crate::bvh::volume::{BoundingVolume, expected_overlaps_of_generators};
+use crate::numeric::lanes::level::level_for_few;
+use crate::numeric::linear::{cross, dot, euclidean_norm, sum_norm};
+use crate::numeric::tolerance::FITTED_MARGIN;
+use crate::zonotope::Zonotope as Body;
+
+/// A fit that misses its points by more than this was none.
+const LARGEST_MARGIN: f64 = 0.01;
+
+/// Normals side by side.
+const LANES: usize = 8;
+
+/// Eight normals: their coordinates, and how far the generators reach along each.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Facets {
+    normals: [[f64; LANES]; 3],
+    reaches: [f64; LANES],
+}
+
+/// A zonotope of K generators with room for 8 B facet normals, of which each pair of directions has one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Zonotope<const K: usize, const B: usize> {
+    center: [f64; 3],
+    /// Unit vectors, of which as many as the fit has are not zero.
+    directions: [[f64; 3]; K],
+    generators: [[f64; 3]; K],
+    margin: f64,
+    facets: [Facets; B],
+}
+
+/// A parallelepiped in any position.
+pub type Zonotope3 = Zonotope<3, 1>;
+/// A zonotope of at most four generators.
+pub type Zonotope4 = Zonotope<4, 1>;
+/// A zonotope of at most five generators.
+pub type Zonotope5 = Zonotope<5, 2>;
+/// A zonotope of at most six generators.
+pub type Zonotope6 = Zonotope<6, 2>;
+/// A zonotope of at most seven generators.
+pub type Zonotope7 = Zonotope<7, 3>;
+/// A zonotope of at most eight generators.
+pub type Zonotope8 = Zonotope<8, 4>;
+
+impl<const K: usize, const B: usize> Zonotope<K, B> {
+    /// The body of a fit, its margin as large as the points need.
+    ///
+    /// The margin of a fit in doubles covers its rounding nearly always. What proves that the points are inside is the
+    /// exact test of the body with the margin as three generators of its own.
+    pub(super) fn of_fit(fitted: &Fitted, points: &[[f64; 3]]) -> Self {
+        const { assert!(K >= 3 && 2 * LANES * B >= K * (K - 1), "each pair of directions has its normal") }
+        let mut margin = FITTED_MARGIN;
+        while margin < LARGEST_MARGIN {
+            let found = Self::with_margin(fitted, margin);
+            if found.body().is_some_and(|body| contains_all(&body, points)) {
+                return found;
+            }
+            margin *= 16.0;
+        }
+        // all points have coordinates of magnitude at most 1
+        Self::with_margin(&Fitted::unit_cube(), FITTED_MARGIN)
+    }
+
+    fn with_margin(fitted: &Fitted, margin: f64) -> Self {
+        let mut directions = [[0.0; 3]; K];
+        let mut generators = [[0.0; 3]; K];
+        for (k, (direction, half)) in fitted.directions.iter().zip(&fitted.half_lengths).enumerate() {
+            directions[k] = *direction;
+            generators[k] = direction.map(|c| c * half);
+        }
+        let mut facets = [Facets::default(); B];
+        let pairs = (0..K).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let mut at = 0;
+        for (i, j) in pairs {
+            let normal = cross(&directions[i], &directions[j]);
+            let length = euclidean_norm(&normal);
+            if length > 0.0 {
+                let normal = normal.map(|c| c / length);
+                let facets = &mut facets[at / LANES];
+                (0..3).for_each(|axis| facets.normals[axis][at % LANES] = normal[axis]);
+                facets.reaches[at % LANES] = generators.iter().map(|g| dot(g, &normal).abs()).sum();
+                at += 1;
+            }
+        }
+        Self { center: fitted.center, directions, generators, margin, facets }
+    }
+
+    /// The body with its margin as three generators along the axes.
+    fn body(&self) -> Option<Body<3>> {
+        let m = self.margin;
+        let margins = [[m, 0.0, 0.0], [0.0, m, 0.0], [0.0, 0.0, m]];
+        Body::new(self.center, self.generators.iter().copied().chain(margins).collect()).ok()
+    }
+
+    /// The largest gap along the facet normals of one body: `apart` and the generators of the other one as seen from
+    /// it, reaches times `ratio`.
+    #[inline(always)]
+    fn gap_along_facets<S: Simd>(&self, simd: S, apart: &[f64; 3], others: &[[f64; 3]; K], ratio: f64) -> f64 {
+        let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
+        for facets in &self.facets {
+            let [x, y, z] = [0, 1, 2].map(|axis| f64x8::from_slice(simd, &facets.normals[axis]));
+            let mut gap = (x * apart[0] + y * apart[1] + z * apart[2]).abs();
+            gap -= f64x8::from_slice(simd, &facets.reaches) * ratio;
+            for g in others {
+                gap -= (x * g[0] + y * g[1] + z * g[2]).abs();
+            }
+            largest = largest.max(gap);
+        }
+        largest_of(&largest)
+    }
+
+    /// The largest gap along the normals of an edge of each body.
+    #[inline(always)]
+    fn gap_along_edges<S: Simd>(
+        &self,
+        simd: S,
+        apart: &[f64; 3],
+        edges: &[[f64; 3]; K],
+        others: &[[f64; 3]; K],
+    ) -> f64 {
+        let mut normals = [[0.0; 2 * LANES]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                let normal = cross(&self.directions[i], &edges[j]);
+                (0..3).for_each(|axis| normals[axis][3 * i + j] = normal[axis]);
+            }
+        }
+        let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
+        for block in 0..2 {
+            let from = block * LANES;
+            let [x, y, z] = [0, 1, 2].map(|axis| f64x8::from_slice(simd, &normals[axis][from..from + LANES]));
+            let mut gap = (x * apart[0] + y * apart[1] + z * apart[2]).abs();
+            for g in self.generators.iter().chain(others) {
+                gap -= (x * g[0] + y * g[1] + z * g[2]).abs();
+            }
+            largest = largest.max(gap);
+        }
+        largest_of(&largest)
+    }
+
+    #[inline(always)]
+    fn gap_in_lanes<S: Simd>(&self, simd: S, other: &Self, frame: &Frame) -> f64 {
+        let image = frame.image(&other.center);
+        let apart = std::array::from_fn(|k| image[k] - self.center[k]);
+        let theirs = other.generators.map(|g| frame.turned(&g));
+        let mut gap = self.gap_along_facets(simd, &apart, &theirs, 1.0);
+        let ours = self.generators.map(|g| frame.turned_back(&g));
+        gap = gap.max(other.gap_along_facets(simd, &frame.turned_back(&apart), &ours, frame.ratio));
+        let margins = 2.0 * (self.margin + other.margin);
+        if K == 3 && gap <= margins {
+            let edges = other.directions.map(|d| {
+                let [a, b, c] = &frame.inverse_rotation;
+                [0, 1, 2].map(|k| a[k] * d[0] + b[k] * d[1] + c[k] * d[2])
+            });
+            gap = gap.max(self.gap_along_edges(simd, &apart, &edges, &theirs));
+        }
+        // a cube of half-length m reaches at most √3 m along a unit vector
+        gap - margins
+    }
+}
+
+#[inline(always)]
+fn largest_of<S: Simd>(lanes: &f64x8<S>) -> f64 {
+    lanes.as_slice().iter().fold(f64::NEG_INFINITY, |largest, &gap| if gap > largest { gap } else { largest })
+}
+
+/// Whether a body holds all points, exactly, and reaches no farther than a volume may.
+fn contains_all(body: &Body<3>, points: &[[f64; 3]]) -> bool {
+    let reach = body.generators().iter().map(sum_norm).sum::<f64>() + sum_norm(&body.center());
+    reach <= REACH_LIMIT && points.iter().all(|point| body.contains(*point) == Ok(true))
+}
+
+impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
+    const NAME: &'static str = match K {
+        3 => "zonotope, K = 3",
+        4 => "zonotope, K = 4",
+        5 => "zonotope, K = 5",
+        6 => "zonotope, K = 6",
+        7 => "zonotope, K = 7",
+        _ => "zonotope, K = 8",
+    };
+    const IS_FITTED_TO_HULL: bool = true;
+    type Turned = Frame;
+
+    fn around(points: &[[f64; 3]], effort: usize) -> Self {
+        Self::of_fit(&fit(points, K, effort), points)
+    }
+
+    fn refitted(&self, points: &[[f64; 3]]) -> Self {
+        Self::of_fit(&refit(points, &self.directions), points)
+    }
+
+    fn turned(frame: &Frame) -> Frame {
+        *frame
+    }
+
+    #[inline]
+    fn gap(&self, other: &Self, frame: &Frame) -> f64 {
+        dispatch!(level_for_few(), simd => self.gap_in_lanes(simd, other, frame))
+    }
+
+    fn contains(&self, point: &[f64; 3]) -> bool {
+        self.body().is_some_and(|body| body.contains(*point) == Ok(true))
+    }
+
+    fn expected_overlaps(&self) -> f64 {
+        expected_overlaps_of_generators(&self.generators)
+    }
+}
