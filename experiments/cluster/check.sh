@@ -72,7 +72,7 @@ by_hyperqueue() {
   wait_for bash -c "ls '$OUT'/*.shard"
   kill -KILL "$killed"
   # Tasks that outlive their worker would still be at their shards.
-  wait_for bash -c "! pgrep -f -- 'reproduce .*--out $OUT'"
+  wait_for bash -c "! pgrep -f -- 'reproduc[e] .*--out $OUT'"
   "$1" "$here/hyperqueue_shards.py" >"$work/job.log" 2>&1 || { cat "$work/job.log"; return 1; }
   same_bytes "$OUT" "HyperQueue, its workers killed midway and the job submitted again"
 }
