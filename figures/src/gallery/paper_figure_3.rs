@@ -15,8 +15,8 @@ pub const FIGURE: Figure = Figure {
     caption: "A body turns about an axis that is seen end on, and each arc is the way of one of its vertices from \
               where it was. The arcs lie in the circle through the farthest end, and a square around it gives the two \
               generators of Theorem 6.1. Counted from the middle of the turn the same arcs reach little more than half \
-              as far. The rectangle and the zonogon of least area hold the arcs without the circle. Below each name the area, as \
-              a part of the area of the paper's square.",
+              as far. The rectangle and the zonogon of least area hold the arcs without the circle. Below each name \
+              the area, as a part of the area of the paper's square.",
     claims: &["figure-3", "arcs-in-circle", "theorem-6.1"],
     experiments: &[],
     deterministic: true,
