@@ -22,6 +22,7 @@ use crate::digest::sha256;
 
 pub use document::body_of_answer;
 pub use layout::Layout;
+pub(super) use names::could_change_points;
 pub use options::OptionNames;
 pub use placed::{ExactBody, Placed, RoundedBody};
 pub use pose::PoseDocument;
