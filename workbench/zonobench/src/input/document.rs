@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use super::body::could_change_points;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::frame::Frame;
@@ -41,6 +42,7 @@ pub(super) fn points(
             return Err(problem.at(file, Place::File));
         }
     };
+    let others = other_fields(file, &document)?;
     let mut choice = Choice { columns, wanted, width: None, names: Vec::new(), places: Vec::new() };
     let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
@@ -62,8 +64,20 @@ pub(super) fn points(
     }
     let points = points.unwrap_or(Points::Plane(Vec::new()));
     let is_mixed = rows.windows(2).any(|pair| pair[0].list().is_some() != pair[1].list().is_some());
-    let (columns, left_out) = rows.first().and_then(|first| choice.parts(first)).unwrap_or_default();
+    let (columns, mut left_out) = rows.first().and_then(|first| choice.parts(first)).unwrap_or_default();
+    left_out.extend(others);
     Ok(Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out)))
+}
+
+/// The fields beside the list of points, in words; one that could change the points is refused by name.
+fn other_fields(file: &Path, document: &Tree) -> Result<Vec<String>, InputError> {
+    let Tree::Object(fields) = document else { return Ok(Vec::new()) };
+    let others = || fields.iter().filter(|(name, _)| name != "points");
+    if let Some((name, _)) = others().find(|(name, value)| could_change_points(name, value)) {
+        let problem = "this field could change the points, and it is not read; leave out what says nothing about them";
+        return Err(Problem::Shape(problem.to_owned()).at(file, Place::Path(name.clone())));
+    }
+    Ok(others().map(|(name, _)| format!("the field {name}")).collect())
 }
 
 type Misplaced = (Problem, String);
@@ -209,6 +223,27 @@ mod tests {
         assert_eq!(read("[{\"Lat\":2,\"LON\":1},{\"lon\":3,\"lat\":4,\"id\":7}]", None), expected);
         assert_eq!(read("[{\"northing\":2,\"easting\":1},{\"easting\":3,\"northing\":4}]", None), expected);
         assert_eq!(read("[{\"x\":1,\"X\":1,\"y\":2}]", None).expect_err("two names"), TWO_NAMES);
+    }
+
+    #[test]
+    fn a_field_that_could_change_the_points_is_refused_by_name() {
+        for field in [
+            r#""offset":[5,5]"#,
+            r#""scale":0.001"#,
+            r#""pose":{"translation":[1,2]}"#,
+            r#""origin":[1,2]"#,
+            r#""points2":[[1,2]]"#,
+            r#""transform":{"scale":[2,2]}"#,
+            r#""columns":["y","x"]"#,
+        ] {
+            let name = field.split('"').nth(1).expect("a name");
+            let refused = format!("p.json: {name}: this field could change the points");
+            let complaint = read(&format!("{{\"points\":[[1,2],[3,4]],{field}}}"), None).expect_err(field);
+            assert!(complaint.starts_with(&refused), "{complaint}");
+        }
+        let content = br#"{"name":"n","points":[[1,2]]}"#;
+        let reading = points(Path::new("p.json"), content, None, Wanted::Any, &mut Skipping::default());
+        assert_eq!(reading.expect("a point").in_words().as_deref(), Some("1, 2; left out: the field name"));
     }
 
     #[test]

@@ -180,6 +180,17 @@ pub enum Problem {
         /// The lines to skip: this one and those above it.
         skip: u64,
     },
+    /// The first row is 0, 1, 2, … in whole numbers, as other rows are.
+    #[error(
+        "the first row ({row}) may number the columns or be a point; --skip {skip} leaves it out, and --skip {} reads \
+         it as data", skip - 1
+    )]
+    NumbersOrData {
+        /// The cells.
+        row: String,
+        /// The lines to skip: this one and those above it.
+        skip: u64,
+    },
     /// A numbered column does not exist.
     #[error("there is no column {number}; the row has {cells} cells")]
     NoColumnNumber {

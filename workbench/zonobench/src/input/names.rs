@@ -5,8 +5,22 @@ use super::error::Problem;
 use super::points::Wanted;
 
 /// Pairs of names that are taken for coordinates when no columns are chosen, in the order first, second coordinate.
-const KNOWN_NAMES: [[&str; 2]; 6] =
-    [["x", "y"], ["lon", "lat"], ["lng", "lat"], ["long", "lat"], ["longitude", "latitude"], ["easting", "northing"]];
+const KNOWN_NAMES: [[&str; 2]; 8] = [
+    ["x", "y"],
+    ["lon", "lat"],
+    ["lng", "lat"],
+    ["long", "lat"],
+    ["longitude", "latitude"],
+    ["easting", "northing"],
+    ["e", "n"],
+    ["rechtswert", "hochwert"],
+];
+
+/// Words before or behind the name of a coordinate that say that it is one.
+const POSITION_WORDS: [&str; 7] = ["pos", "position", "coord", "coordinate", "point", "p", "utm"];
+
+/// Units of a length or an angle behind a name.
+const UNITS: [&str; 10] = ["m", "mm", "cm", "km", "ft", "in", "deg", "rad", "degrees", "px"];
 
 /// Names of three coordinates, which come before pairs.
 const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
@@ -34,8 +48,38 @@ pub(super) fn is_position(name: &str) -> bool {
     POSITION_NAMES.iter().any(|known| known.eq_ignore_ascii_case(name))
 }
 
-/// The columns that are named as coordinates, if there are any; capitals do not matter.
+/// The name without a unit, in brackets or behind a line, and without words that say that it is a coordinate.
+fn bare(name: &str) -> String {
+    let name = name.split(['[', '(']).next().unwrap_or_default().trim().to_lowercase();
+    let is_between = |c: char| " _-.:".contains(c);
+    let mut words: Vec<&str> = name.split(is_between).filter(|word| !word.is_empty()).collect();
+    if words.len() > 1 && UNITS.contains(&words[words.len() - 1]) {
+        words.pop();
+    }
+    if words.len() > 1 && POSITION_WORDS.contains(&words[0]) {
+        words.remove(0);
+    }
+    if words.len() > 1 && POSITION_WORDS.contains(&words[words.len() - 1]) {
+        words.pop();
+    }
+    match words.as_slice() {
+        ["px"] => "x".to_owned(),
+        ["py"] => "y".to_owned(),
+        ["pz"] => "z".to_owned(),
+        words => words.join(" "),
+    }
+}
+
+/// The columns that are named as coordinates, if there are any, as they stand or without units and words that say that
+/// they are coordinates; capitals do not matter.
 pub(super) fn of_coordinates(names: &[String], wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
+    match of_plain_names(names, wanted)? {
+        None => of_plain_names(&names.iter().map(|name| bare(name)).collect::<Vec<_>>(), wanted),
+        columns => Ok(columns),
+    }
+}
+
+fn of_plain_names(names: &[String], wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
     let known = |known: &[&str]| known.iter().map(|name| position(names, name)).collect::<Option<Vec<usize>>>();
     let in_space = known(&SPACE_NAMES);
     if wanted == Wanted::Planar && in_space.is_some() {
@@ -50,7 +94,67 @@ pub(super) fn of_coordinates(names: &[String], wanted: Wanted) -> Result<Option<
 
 /// Whether some names are those of two coordinates.
 pub(super) fn are_coordinates(names: &[String]) -> bool {
-    KNOWN_NAMES.iter().any(|pair| pair.iter().all(|name| position(names, name).is_some()))
+    let are = |names: &[String]| KNOWN_NAMES.iter().any(|pair| pair.iter().all(|name| position(names, name).is_some()));
+    are(names) || are(&names.iter().map(|name| bare(name)).collect::<Vec<_>>())
+}
+
+/// Names of columns that number or weigh the rows of a table.
+const LABELS: [&str; 13] =
+    ["id", "index", "idx", "fid", "oid", "objectid", "rowid", "row", "rownames", "uuid", "weight", "weights", "w"];
+
+/// The way in which the named columns of vectors are put in order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    /// Each row is a vector: columns that are named as coordinates are its coordinates, others are left out.
+    Coordinates,
+    /// Each column is a vector, whose order does not matter.
+    AsTheyStand,
+    /// The rows are those of a matrix, whose columns must stand in the order of the coordinates.
+    Matrix,
+}
+
+/// The columns of vectors, by their places.
+pub(super) struct Vectors {
+    pub(super) places: Vec<usize>,
+}
+
+impl Vectors {
+    /// The columns that hold no coordinates, and the order of the others if it is not that of the file, in words.
+    pub(super) fn notes(&self, names: &[String]) -> Vec<String> {
+        let is_left_out = |place: &usize| !self.places.contains(place);
+        let others = (0..names.len()).filter(is_left_out);
+        let mut notes: Vec<String> = others.map(|place| format!("left out: the column {}", names[place])).collect();
+        if !self.places.is_sorted() {
+            let order: Vec<&str> = self.places.iter().map(|&place| names[place].as_str()).collect();
+            notes.push(format!("the columns are read in the order {}", order.join(", ")));
+        }
+        notes
+    }
+}
+
+/// The columns of vectors under these names: none that numbers or weighs the rows, and those of coordinates in their
+/// order.
+pub(super) fn of_vectors(names: &[String], order: Order) -> Result<Vectors, Problem> {
+    let in_order = if order == Order::AsTheyStand { None } else { of_coordinates(names, Wanted::Any)? };
+    if let Some(places) = in_order {
+        match order {
+            Order::Matrix if !places.is_sorted() => {
+                let problem = format!(
+                    "the columns are named {}, in another order than the coordinates; write them in that order",
+                    names.join(", ")
+                );
+                return Err(Problem::Shape(problem));
+            }
+            Order::Matrix => {}
+            _ => return Ok(Vectors { places }),
+        }
+    }
+    let is = |name: &str, other: &str| name.eq_ignore_ascii_case(other);
+    // A column w beside u and v is a coordinate.
+    let is_velocity = ["u", "v"].iter().all(|name| position(names, name).is_some());
+    let is_label = |name: &str| LABELS.iter().any(|label| is(name, label)) && !(is(name, "w") && is_velocity);
+    let places: Vec<usize> = (0..names.len()).filter(|&place| !is_label(&names[place])).collect();
+    Ok(Vectors { places: if places.is_empty() { (0..names.len()).collect() } else { places } })
 }
 
 /// The chosen columns, counted from 0, of a row with these names; `available` says which columns there are.

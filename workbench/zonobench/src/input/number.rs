@@ -3,7 +3,24 @@
 use super::error::Problem;
 
 /// Words for a missing number in tables, beside an empty cell and the spellings of NaN.
-const MISSING: [&str; 7] = ["na", "n/a", "#n/a", "<na>", "null", "none", "#num!"];
+const MISSING: [&str; 5] = ["na", "n/a", "<na>", "null", "none"];
+
+/// The errors that spreadsheets write in place of a number.
+const ERRORS: [&str; 13] = [
+    "#n/a",
+    "#num!",
+    "#ref!",
+    "#div/0!",
+    "#value!",
+    "#name?",
+    "#null!",
+    "#spill!",
+    "#calc!",
+    "#getting_data",
+    "#field!",
+    "#blocked!",
+    "#na",
+];
 
 /// Words for NaN and the infinities by the C library of Windows, without the sign.
 const NON_FINITE: [&str; 6] = ["1.#ind", "1.#qnan", "1.#snan", "1.#inf", "nan(ind)", "nan(snan)"];
@@ -48,10 +65,15 @@ pub(super) fn has_plain_decimal_comma(word: &str) -> bool {
     !(is_group && (1..=3).contains(&whole.len()) && !whole.starts_with('0'))
 }
 
+/// Whether a word is an error that spreadsheets write in place of a number.
+pub(super) fn is_error(word: &[u8]) -> bool {
+    ERRORS.iter().any(|error| word.trim_ascii().eq_ignore_ascii_case(error.as_bytes()))
+}
+
 fn is_not_finite(word: &str) -> bool {
     let lower = word.to_ascii_lowercase();
     let unsigned = lower.strip_prefix(['+', '-']).unwrap_or(&lower);
-    MISSING.contains(&lower.as_str()) || NON_FINITE.contains(&unsigned)
+    MISSING.contains(&lower.as_str()) || is_error(word.as_bytes()) || NON_FINITE.contains(&unsigned)
 }
 
 /// Whether a word is a number whose thousands are separated: `1 234,5`, `1'234.5`, `1.234,5`, `1,234.5`, `1,234,567`.

@@ -4,6 +4,7 @@
 use super::OptionNames;
 use super::zonotope::Body;
 use crate::input::error::{InputError, Place, Problem};
+use crate::input::names::Order;
 use std::path::Path;
 
 /// The layout of the vectors of a body in a table, in an array, or in a list of lists.
@@ -22,6 +23,11 @@ const CENTERS: [&str; 3] = ["center", "centre", "c"];
 const GENERATORS: [&str; 4] = ["g", "gen", "generator", "generators"];
 
 impl Layout {
+    /// The order of named columns: whether they are coordinates or vectors.
+    pub(super) fn order(self) -> Order {
+        if self.columns_are_generators { Order::AsTheyStand } else { Order::Coordinates }
+    }
+
     /// The body of rows with the names of their columns, if they have names. What is not plain is told in a line.
     pub(super) fn body(
         self,

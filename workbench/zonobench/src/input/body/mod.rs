@@ -22,6 +22,7 @@ use crate::digest::sha256;
 
 pub use document::body_of_answer;
 pub use layout::Layout;
+pub(super) use names::could_change_points;
 pub use options::OptionNames;
 pub use placed::{ExactBody, Placed, RoundedBody};
 pub use pose::PoseDocument;
@@ -84,7 +85,7 @@ impl BodySource {
         let file = &self.file;
         match format {
             Format::Csv => {
-                let rows = table::rows(file, content)?;
+                let rows = table::rows(file, content, self.layout.order())?;
                 rows.notes.iter().for_each(|note| tell(note));
                 if rows.are_named_as_points() && self.layout == Layout::default() {
                     let names = rows.names.join(", ");
@@ -96,8 +97,9 @@ impl BodySource {
                 Ok(Placed { body, pose: None })
             }
             Format::Npy => {
-                let (names, rows) = npy::rows(file, content)?;
-                let body = self.layout.body(file, &names, rows, self.options, &mut tell)?;
+                let rows = npy::rows(file, content, self.layout.order())?;
+                rows.notes.iter().for_each(|note| tell(note));
+                let body = self.layout.body(file, &rows.names, rows.numbers, self.options, &mut tell)?;
                 Ok(Placed { body, pose: None })
             }
             Format::Json => document::placed(file, &parse(file, content)?, self.layout, self.options, &mut tell),

@@ -108,6 +108,12 @@ impl<'a> Holder<'a> {
     }
 }
 
+/// Whether a field beside points could move them, scale them or hold others, by its name and its value.
+pub(in crate::input) fn could_change_points(name: &str, value: &Tree) -> bool {
+    let is_other = name == "columns" || name.to_lowercase().starts_with("points");
+    !is_empty(value) && (is_other || (!is_label(value) && is_meant(name)))
+}
+
 /// The name in small letters and digits.
 fn plain(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()

@@ -6,6 +6,7 @@ use super::object::vectors;
 use crate::input::bytes::read_limited;
 use crate::input::document::parse;
 use crate::input::error::{InputError, Place, Problem, on_one_line};
+use crate::input::names::Order;
 use crate::input::{Format, npy, table};
 use batch::json::Tree;
 
@@ -25,11 +26,15 @@ impl PoseDocument {
         let content = read_limited(file)?;
         match Format::of_extension(file) {
             Some(Format::Csv) => {
-                let rows = table::rows(file, &content)?;
+                let rows = table::rows(file, &content, Order::Matrix)?;
                 rows.notes.iter().for_each(|note| tell(&on_one_line(&format!("{}: {note}", file.display()))));
                 Ok(Self::Rows(rows.numbers))
             }
-            Some(Format::Npy) => Ok(Self::Rows(npy::rows(file, &content)?.1)),
+            Some(Format::Npy) => {
+                let rows = npy::rows(file, &content, Order::Matrix)?;
+                rows.notes.iter().for_each(|note| tell(&on_one_line(&format!("{}: {note}", file.display()))));
+                Ok(Self::Rows(rows.numbers))
+            }
             None | Some(Format::Json) => match parse(file, &content)? {
                 list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
                 other => Ok(Self::Object(other)),

@@ -23,6 +23,8 @@ pub(super) struct Field<'a> {
     pub(super) count: usize,
     /// Whether it is an array of values.
     pub(super) is_list: bool,
+    /// The number of dimensions of that array.
+    pub(super) dimensions: usize,
 }
 
 impl<'a> Header<'a> {
@@ -78,7 +80,8 @@ impl<'a> Words<'a> {
             let shape = if self.take(",") { Some(self.shape()?) } else { None };
             self.take(")").then_some(())?;
             let count = shape.iter().flatten().try_fold(1_usize, |count, length| count.checked_mul(*length))?;
-            fields.push(Field { name, kind, count, is_list: shape.is_some() });
+            let dimensions = shape.as_ref().map_or(0, Vec::len);
+            fields.push(Field { name, kind, count, is_list: shape.is_some(), dimensions });
             if !self.take(",") {
                 self.take("]").then_some(())?;
                 break;

@@ -10,10 +10,11 @@ use self::header::{Descr, Header};
 use self::item::Item;
 use super::columns::Columns;
 use super::error::{InputError, Place, Problem};
-use super::names;
+use super::names::{self, Order};
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::points::{MAX_POINTS, push_limited};
 use super::reading::{Reading, Skipping, columns_of};
+use super::table::Rows;
 
 /// The largest number of columns of an array of points, and of numbers in a record.
 const COLUMN_LIMIT: usize = 1 << 16;
@@ -45,16 +46,28 @@ pub(super) fn points(
     Ok(Reading::of(points, columns_of(&array.names(), &chosen)))
 }
 
-/// Reads the names of the columns, none of which an array without records has, and all its rows.
-pub(super) fn rows(file: &Path, content: &[u8]) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
-    let array = Array::of(content).map_err(|problem| problem.at(file, Place::File))?;
-    let mut rows = Vec::new();
+/// Reads the rows of an array, with the names of the columns, none of which an array without records has. Fields that
+/// are named as coordinates are put in their order, and labels of rows are left out, as `order` says.
+pub(super) fn rows(file: &Path, content: &[u8], order: Order) -> Result<Rows, InputError> {
+    let at_file = |problem: Problem| problem.at(file, Place::File);
+    let array = Array::of(content).map_err(at_file)?;
+    let mut rows = Rows::default();
+    let all = array.field_names();
+    let columns: Vec<usize> = if all.is_empty() {
+        (0..array.columns()).collect()
+    } else {
+        array.check_lists().map_err(at_file)?;
+        let vectors = names::of_vectors(&all, order).map_err(at_file)?;
+        rows.notes = vectors.notes(&all);
+        vectors.places
+    };
     for row in 0..array.rows {
         let numbers: Result<Vec<f64>, InputError> =
-            (0..array.columns()).map(|column| array.number(file, row, column)).collect();
-        push_limited(&mut rows, numbers?).map_err(|problem| problem.at(file, Place::File))?;
+            columns.iter().map(|&column| array.number(file, row, column)).collect();
+        push_limited(&mut rows.numbers, numbers?).map_err(at_file)?;
     }
-    Ok((array.field_names(), rows))
+    rows.names = columns.iter().filter_map(|&column| all.get(column).cloned()).collect();
+    Ok(rows)
 }
 
 fn chosen(array: &Array, columns: Option<&Columns>, wanted: Wanted) -> Result<Vec<usize>, Problem> {
@@ -101,6 +114,8 @@ struct Column {
     start: usize,
     /// The number of the field, if the field is an array.
     vector: Option<usize>,
+    /// Whether that array has more than one dimension.
+    is_of_matrix: bool,
 }
 
 impl<'a> Array<'a> {
@@ -158,12 +173,19 @@ impl<'a> Array<'a> {
             if field.count > COLUMN_LIMIT - columns.len() {
                 return Err(Problem::TooMany { what: "numbers in a record", limit: COLUMN_LIMIT });
             }
+            let is_of_matrix = field.dimensions > 1;
             let is_padding = field.name.is_empty() && field.kind.contains('V');
             for place in 0..field.count {
                 let item = Item::parse(field.kind).ok_or_else(|| field.kind.to_owned());
                 let name = if field.is_list { format!("{}[{place}]", field.name) } else { field.name.to_owned() };
                 if !is_padding {
-                    columns.push(Column { name, item, start: bytes, vector: field.is_list.then_some(number) });
+                    columns.push(Column {
+                        name,
+                        item,
+                        start: bytes,
+                        vector: field.is_list.then_some(number),
+                        is_of_matrix,
+                    });
                 }
                 bytes = bytes.saturating_add(length);
             }
@@ -200,6 +222,22 @@ impl<'a> Array<'a> {
         let chosen: Vec<usize> = (0..columns.len()).filter(|&index| vector(index).is_some()).collect();
         let is_one = chosen.windows(2).all(|pair| vector(pair[0]) == vector(pair[1]));
         (is_one && chosen.len() > 1 && wanted.takes_all(chosen.len(), false)).then_some(chosen)
+    }
+
+    /// Refuses records of several fields of which one is an array: nothing says what the numbers of a row are then.
+    fn check_lists(&self) -> Result<(), Problem> {
+        let Layout::Records { columns, .. } = &self.layout else { return Ok(()) };
+        let Some(list) = columns.iter().find(|column| column.vector.is_some()) else { return Ok(()) };
+        let is_alone = columns.iter().all(|column| column.vector == list.vector);
+        if is_alone && !list.is_of_matrix {
+            return Ok(());
+        }
+        let problem = format!(
+            "the field `{}` of the records is an array, and a row of vectors has plain numbers: save an array of two \
+             dimensions",
+            field_of(&list.name)
+        );
+        Err(Problem::Shape(problem))
     }
 
     /// The names of the columns of records.

@@ -31,10 +31,40 @@ fn read(content: &[u8], columns: Option<&str>, wanted: Wanted) -> Result<Reading
 fn rows_of_records_have_the_names_of_their_fields() {
     let header = "{'descr': [('c', '<f8'), ('g1', '<f8'), ('g2', '<f8')], 'fortran_order': False, 'shape': (1,), }";
     let content = file_with(1, header, &bytes(&[1.0, 2.0, 3.0], f64::to_le_bytes));
-    let (names, numbers) = rows(Path::new("p.npy"), &content).expect("records");
-    assert_eq!((names, numbers), (["c", "g1", "g2"].map(str::to_owned).to_vec(), vec![vec![1.0, 2.0, 3.0]]));
+    let found = rows(Path::new("p.npy"), &content, Order::Coordinates).expect("records");
+    assert_eq!(
+        (found.names, found.numbers),
+        (["c", "g1", "g2"].map(str::to_owned).to_vec(), vec![vec![1.0, 2.0, 3.0]])
+    );
     let content = file_of(1, "<f8", false, "(1, 2)", &bytes(&[1.0, 2.0], f64::to_le_bytes));
-    assert!(rows(Path::new("p.npy"), &content).expect("an array").0.is_empty());
+    let found = rows(Path::new("p.npy"), &content, Order::Coordinates).expect("an array");
+    assert!(found.names.is_empty());
+}
+
+/// The fields of records pass through the same questions as the columns of a table.
+#[test]
+fn fields_of_vectors_are_put_in_order_and_labels_left_out() {
+    let records = |fields: &str, numbers: &[f64]| {
+        let header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': (1,), }}");
+        let content = file_with(1, &header, &bytes(numbers, f64::to_le_bytes));
+        let found = super::rows(Path::new("p.npy"), &content, Order::Coordinates).map_err(|error| error.to_string())?;
+        Ok::<_, String>((found.numbers, found.notes))
+    };
+    let left_out = |name: &str| vec![format!("left out: the column {name}")];
+    assert_eq!(
+        records("('index', '<f8'), ('x', '<f8'), ('y', '<f8')", &[7.0, 1.0, 2.0]),
+        Ok((vec![vec![1.0, 2.0]], left_out("index")))
+    );
+    assert_eq!(
+        records("('a', '<f8'), ('b', '<f8'), ('w', '<f8')", &[1.0, 2.0, 9.0]),
+        Ok((vec![vec![1.0, 2.0]], left_out("w")))
+    );
+    let told = vec!["the columns are read in the order x, y".to_owned()];
+    assert_eq!(records("('y', '<f8'), ('x', '<f8')", &[2.0, 1.0]), Ok((vec![vec![1.0, 2.0]], told)));
+    let several = records("('c', '<f8', (2,)), ('G', '<f8', (2, 2))", &[1.0; 6]);
+    assert!(several.expect_err("arrays").contains("the field `c` of the records is an array"));
+    assert!(records("('G', '<f8', (2, 2))", &[1.0; 4]).expect_err("a matrix").contains("the field `G`"));
+    assert_eq!(records("('g', '<f8', (2,))", &[1.0, 2.0]), Ok((vec![vec![1.0, 2.0]], Vec::new())));
 }
 
 #[test]
@@ -62,17 +92,27 @@ fn versions_types_and_orders() {
     for (kind, is_fortran, data) in files {
         for version in 1..=3 {
             let content = file_of(version, kind, is_fortran, "(2, 3)", &data);
-            assert_eq!(super::rows(Path::new("p.npy"), &content).expect("an array").1, rows, "{version} {kind}");
+            assert_eq!(
+                super::rows(Path::new("p.npy"), &content, Order::Coordinates).expect("an array").numbers,
+                rows,
+                "{version} {kind}"
+            );
             let reading = read(&content, None, Wanted::PlaneOrSpace).expect("points of space");
             assert_eq!(reading.points, space, "{version} {kind}");
         }
     }
     let unsigned = file_of(1, "<u2", false, "(2, 1)", &bytes(&[1, 65_535], u16::to_le_bytes));
-    assert_eq!(super::rows(Path::new("p.npy"), &unsigned).expect("an array").1, [[1.0], [65_535.0]]);
+    assert_eq!(
+        super::rows(Path::new("p.npy"), &unsigned, Order::Coordinates).expect("an array").numbers,
+        [[1.0], [65_535.0]]
+    );
     let old = file_with(1, "{\"shape\": (1L, 2L), 'fortran_order':False,'descr':\"|u1\"}", &[7, 255]);
-    assert_eq!(super::rows(Path::new("p.npy"), &old).expect("an array").1, [[7.0, 255.0]]);
+    assert_eq!(super::rows(Path::new("p.npy"), &old, Order::Coordinates).expect("an array").numbers, [[7.0, 255.0]]);
     let wide = file_of(1, "|u1", false, "(1, 6)", &[1, 2, 3, 4, 5, 6]);
-    assert_eq!(super::rows(Path::new("p.npy"), &wide).expect("an array").1, [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]);
+    assert_eq!(
+        super::rows(Path::new("p.npy"), &wide, Order::Coordinates).expect("an array").numbers,
+        [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]
+    );
 }
 
 #[test]
@@ -151,7 +191,7 @@ fn halves_are_read_and_what_is_not_finite_is_skipped() {
 #[test]
 fn what_is_no_array_of_points_is_refused() {
     let complaint = |content: &[u8]| {
-        let error = super::rows(Path::new("p.npy"), content).expect_err("no array").to_string();
+        let error = super::rows(Path::new("p.npy"), content, Order::Coordinates).expect_err("no array").to_string();
         error.strip_prefix("p.npy: ").expect("the file is named").to_owned()
     };
     let is_not = |reason: &str| format!("is not npy: {reason}");

@@ -70,21 +70,48 @@ pub(super) fn numbers_columns(row: &ByteRecord) -> bool {
     (names.len() >= 2 || (is_nameless(row) && !names.is_empty())) && names.iter().enumerate().all(is_place)
 }
 
-/// Whether the first cell of a header has no name, or the one that a program gave it for want of another.
+/// Whether the first cell of a header has no name.
 pub(super) fn is_nameless(header: &ByteRecord) -> bool {
-    header.get(0).is_some_and(|name| matches!(name.trim_ascii(), b"" | b"Unnamed: 0"))
+    header.get(0).is_some_and(is_no_name)
 }
 
-/// Whether a cell is no number, but begins like one and holds nothing but the letters of numbers, or stands in a row
-/// with numbers.
+/// Whether a cell of a header is empty, or holds what a program writes there for want of a name.
+pub(super) fn is_no_name(cell: &[u8]) -> bool {
+    let cell = cell.trim_ascii();
+    let number = cell.strip_prefix(b"Unnamed: ");
+    cell.is_empty() || number.is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
+}
+
+/// Whether a cell is no number, but begins like one; where no number stands in the row, whether it is no name.
 fn is_broken_number(cell: &[u8], is_beside_number: bool) -> bool {
-    const LETTERS_OF_NUMBERS: &[u8] = b"0123456789+-.,eE_' ";
     let cell = cell.trim_ascii();
     let unsigned = cell.strip_prefix(b"-").or(cell.strip_prefix(b"+")).unwrap_or(cell);
     let digits = unsigned.strip_prefix(b".").unwrap_or(unsigned);
     let begins_like_number = digits.first().is_some_and(u8::is_ascii_digit);
-    let is_spelled_like_number = cell.iter().all(|letter| LETTERS_OF_NUMBERS.contains(letter));
-    !is_number(cell) && begins_like_number && (is_spelled_like_number || is_beside_number)
+    let is_broken = if is_beside_number { begins_like_number } else { !cell.is_empty() && !is_name(cell) };
+    !is_number(cell) && is_broken
+}
+
+/// Whether a cell may be the name of a column: it has a letter, and no digit of any script stands before the first one,
+/// but for ordinals such as `1st`. Digits and points among letters that look like digits are no name.
+fn is_name(cell: &[u8]) -> bool {
+    const LOOK_ALIKES: &str = "lIOo.,+-";
+    let text = String::from_utf8_lossy(cell);
+    let is_letter = |c: char| c.is_alphabetic() || c == char::REPLACEMENT_CHARACTER;
+    let Some(begin) = text.find(|c: char| c.is_numeric() || is_letter(c)) else { return false };
+    let word = &text[begin..];
+    if word.starts_with(is_letter) {
+        let is_like_number = text.chars().all(|c| c.is_ascii_digit() || LOOK_ALIKES.contains(c));
+        return !(is_like_number && text.contains(['.', ',']) && text.contains(|c: char| c.is_ascii_digit()));
+    }
+    let rest = word.trim_start_matches(|c: char| c.is_ascii_digit());
+    begin == 0 && ["st", "nd", "rd", "th"].iter().any(|ending| rest.to_ascii_lowercase().starts_with(ending))
+}
+
+/// Whether all cells of a row that are not empty are names of columns, and there is one.
+pub(super) fn holds_names(row: &ByteRecord) -> bool {
+    let mut filled = row.iter().filter(|cell| !cell.trim_ascii().is_empty()).peekable();
+    filled.peek().is_some() && filled.all(|cell| !is_number(cell) && is_name(cell))
 }
 
 #[cfg(test)]
@@ -94,7 +121,8 @@ mod tests {
     #[test]
     fn a_header_cannot_be_data() {
         let told = |first: &[&str], chosen: &[usize]| opening(&ByteRecord::from(first.to_vec()), chosen);
-        for header in [["x", "y"], ["", "y"], ["1st", "2nd"], ["e1", "e2"], ["-", "+"], ["city", "size"]] {
+        for header in [["x", "y"], ["", "y"], ["1st", "2nd"], ["e1", "e2"], ["x [m]", "y [m]"], ["Ölwert", "größe"]]
+        {
             assert_eq!(told(&header, &[0, 1]), Opening::Header, "{header:?}");
         }
         for data in [
@@ -107,6 +135,22 @@ mod tests {
             ["-.5.", "1e"],
             ["north", "5"],
             ["5", "north"],
+            ["\u{2212}1", "\u{2212}1"],
+            ["1/2", "1/3"],
+            ["1D0", "2D0"],
+            ["1m", "2m"],
+            ["0x10", "0x20"],
+            ["$10", "$20"],
+            ["5\u{b1}0.1", "6\u{b1}0.1"],
+            ["(1", "2)"],
+            ["1+2j", "1+0j"],
+            ["\u{ff11}", "\u{ff12}"],
+            ["\u{661}", "\u{662}"],
+            ["l.5", "O.5"],
+            ["--", "--"],
+            ["-", "+"],
+            ["?", "?"],
+            ["****", "****"],
         ] {
             assert_eq!(told(&data, &[0, 1]), Opening::Data, "{data:?}");
         }

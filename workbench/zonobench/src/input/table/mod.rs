@@ -14,10 +14,11 @@ use csv::ByteRecord;
 
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
-use self::start::{RowInDoubt, Start};
+use self::start::{RowInDoubt, Start, Use};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::names::Order;
 use super::number::is_number;
 use super::points::push_limited;
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
@@ -34,6 +35,16 @@ pub(super) struct Shape<'a> {
     pub(super) wanted: Wanted,
     /// Whether the first three columns are coordinates where names do not say otherwise.
     pub(super) is_cloud: bool,
+}
+
+impl Shape<'_> {
+    fn use_of(&self) -> Use {
+        match self.skip {
+            Some(_) => Use::Told,
+            None if self.is_cloud => Use::Cloud,
+            None => Use::Table,
+        }
+    }
 }
 
 /// Reads the points of a table.
@@ -74,9 +85,11 @@ impl Rows {
 
 /// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as
 /// above, without a column that counts the rows.
-pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Rows, InputError> {
+///
+/// Columns that are named as coordinates are put in their order, and labels of rows are left out, as `order` says.
+pub(super) fn rows(file: &Path, content: &[u8], order: Order) -> Result<Rows, InputError> {
     let text = Text::new(decoded(file, content)?, 0);
-    Table::new(file, &text).numbers()
+    Table::new(file, &text).numbers(order)
 }
 
 fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u8]>, InputError> {
@@ -94,9 +107,6 @@ fn is_grid(text: &[u8]) -> bool {
     first.is_some_and(|word| word.eq_ignore_ascii_case(b"ncols"))
 }
 
-/// The remark on a column that is left out because it counts the rows.
-const INDEX: &str = "column 1, which counts the rows";
-
 struct Table<'a> {
     file: &'a Path,
     text: &'a Text<'a>,
@@ -110,31 +120,45 @@ impl<'a> Table<'a> {
         Self { file, text, decimals: Decimals::default(), width: 0 }
     }
 
-    fn numbers(mut self) -> Result<Rows, InputError> {
+    fn numbers(mut self, order: Order) -> Result<Rows, InputError> {
         let text = self.text;
         let mut records = text.rows();
-        let Some(start) = Start::read(self.file, text, &mut records, false)? else {
+        let Some(start) = Start::read(self.file, text, &mut records, Use::Vectors)? else {
             return Ok(Rows::default());
         };
         self.width = start.width;
-        let Start { first, second, count, is_numbered, has_index, left_out, in_doubt, .. } = start;
-        let columns: Vec<usize> = (usize::from(has_index)..self.width).collect();
+        let Start { first, second, count, is_numbered, nameless, nameless_in_words, left_out, in_doubt, .. } = start;
+        let mut columns: Vec<usize> = (0..self.width).filter(|column| !nameless.contains(column)).collect();
         let is_header = is_numbered || opening(&first, &columns) == Opening::Header;
-        let names =
-            if is_header && !is_numbered { cells(&first).split_off(usize::from(has_index)) } else { Vec::new() };
+        let mut names = Vec::new();
+        let mut others = Vec::new();
+        if is_header && !is_numbered {
+            let all = cells(&first);
+            let named: Vec<String> = columns.iter().map(|&column| all[column].clone()).collect();
+            let vectors =
+                names::of_vectors(&named, order).map_err(|problem| problem.at(self.file, self.place(&first)))?;
+            others = vectors.notes(&named);
+            columns = vectors.places.iter().map(|&place| columns[place]).collect();
+            names = columns.iter().map(|&column| all[column].clone()).collect();
+        }
+        let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud: false };
+        let mut counting = Counting::new(&shape, is_header, &columns);
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
         let mut numbers = Vec::new();
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
-            let columns = usize::from(has_index)..self.cells_of(&row).max(1);
-            let read: Vec<f64> = columns.map(|column| self.number(&row, column)).collect::<Result<_, _>>()?;
+            let read: Vec<f64> = columns.iter().map(|&column| self.number(&row, column)).collect::<Result<_, _>>()?;
+            counting.note(read.first().copied().unwrap_or(f64::NAN));
             push_limited(&mut numbers, read).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
         self.check_count(count, numbers.len())?;
-        let left_out = left_out.into_iter().chain(has_index.then(|| INDEX.to_owned()));
+        let comments = text.left_out();
+        let left_out = left_out.into_iter().chain(nameless_in_words).chain(comments);
         let read = in_doubt.map(|RowInDoubt { row, .. }| format!("the first row ({row}) is read as data"));
         let mut notes: Vec<String> = read.into_iter().collect();
         notes.extend(left_out.map(|part| format!("left out: {part}")));
+        notes.extend(others);
+        notes.extend(counting.in_words(&columns, false));
         notes.extend(self.commas()?);
         Ok(Rows { names, numbers, notes })
     }
@@ -142,28 +166,38 @@ impl<'a> Table<'a> {
     fn points(mut self, shape: &Shape, skipping: &mut Skipping) -> Result<Reading, InputError> {
         let text = self.text;
         let mut records = text.rows();
-        let Some(start) = Start::read(self.file, text, &mut records, shape.skip.is_some())? else {
+        let Some(start) = Start::read(self.file, text, &mut records, shape.use_of())? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
         self.width = start.width;
         let is_named =
             shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
-        let from = usize::from(start.has_index && shape.columns.is_none());
-        let all: Vec<usize> = (from..start.width).collect();
+        let is_left_out = |column: &usize| shape.columns.is_none() && start.nameless.contains(column);
+        let all: Vec<usize> = (0..start.width).filter(|column| !is_left_out(column)).collect();
         if shape.columns.is_none() && !start.is_numbered {
             self.refuse_text_above_number(&start, &all, shape.skip)?;
         }
-        let columns = self.chosen(&start, shape, from)?;
+        let columns = self.chosen(&start, shape, &all)?;
         if shape.columns.is_some() && !is_named && !start.is_numbered {
             self.refuse_text_above_number(&start, &columns, shape.skip)?;
         }
 
         let mut points = Points::of_dimension(columns.len()).expect("no more columns are chosen than are read");
-        let Start { first, second, count, is_numbered, has_index, left_out: rows_left_out, in_doubt, .. } = start;
+        let Start {
+            first,
+            second,
+            count,
+            is_numbered,
+            nameless,
+            nameless_in_words,
+            left_out: rows_left_out,
+            in_doubt,
+            ..
+        } = start;
         let has_header = is_numbered || is_named || opening(&first, &columns) == Opening::Header;
         let names = if has_header && !is_numbered { cells(&first) } else { vec![String::new(); first.len()] };
         let data = (!has_header).then_some(first).into_iter().chain(second).map(Ok);
-        let mut counting = Counting::new(shape, has_header || has_index, &columns);
+        let mut counting = Counting::new(shape, has_header, &columns);
         let skipped_before = skipping.count();
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
@@ -182,12 +216,14 @@ impl<'a> Table<'a> {
             format!("the first row ({row}) is read as data; --skip {line} leaves it out")
         });
         let mut notes: Vec<String> = read.into_iter().collect();
-        notes.extend(counting.in_words(&columns));
+        notes.extend(counting.in_words(&columns, true));
         notes.extend(self.commas()?);
         let (columns, mut left_out) = columns_of(&names, &columns);
-        if from == 1 {
-            // The first column that is left out is the first one of the table.
-            left_out[0] = INDEX.to_owned();
+        for (column, in_words) in nameless.iter().zip(nameless_in_words) {
+            let plain = format!("column {}", column + 1);
+            if let Some(part) = left_out.iter_mut().find(|part| **part == plain) {
+                *part = in_words;
+            }
         }
         left_out.extend(rows_left_out);
         Ok(Reading { notes, ..Reading::of(points, (columns, left_out)) })
@@ -227,8 +263,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The columns of the coordinates, counted from 0: those that were chosen, or a guess among those behind `from`.
-    fn chosen(&self, start: &Start, shape: &Shape, from: usize) -> Result<Vec<usize>, InputError> {
+    /// The columns of the coordinates, counted from 0: those that were chosen, or a guess among those that may be.
+    fn chosen(&self, start: &Start, shape: &Shape, all: &[usize]) -> Result<Vec<usize>, InputError> {
         let (first, wanted) = (&start.first, shape.wanted);
         let names = cells(first);
         let at_first = |problem: Problem| problem.at(self.file, self.place(first));
@@ -238,23 +274,24 @@ impl<'a> Table<'a> {
         if let Some(columns) = names::of_coordinates(&names, wanted).map_err(at_first)? {
             return Ok(columns);
         }
-        let cells = first.len() - from;
+        let cells = all.len();
         if shape.is_cloud {
             // A name of an atom or of a point may stand before its coordinates.
-            let from = from + usize::from(has_number(first) && first.get(from).is_some_and(is_text));
-            let coordinates = (first.len() - from).min(3);
+            let is_named = has_number(first) && all.first().is_some_and(|&column| is_text(&first[column]));
+            let all = &all[usize::from(is_named)..];
+            let coordinates = all.len().min(3);
             if wanted == Wanted::Planar && coordinates > 2 {
                 return Err(at_first(Problem::ThirdCoordinate));
             }
             if wanted.takes_all(coordinates, false) {
-                return Ok((from..from + coordinates).collect());
+                return Ok(all[..coordinates].to_vec());
             }
         }
-        let numbers = first.iter().skip(from).filter(|cell| is_number(cell)).count();
+        let numbers = all.iter().filter(|&&column| is_number(&first[column])).count();
         // There is something to choose only where numbers are left beside the text.
         let of_text = column_of_text(first, start.second.as_ref()).filter(|_| numbers >= 2);
         if wanted.takes_all(cells, !has_number(first)) && of_text.is_none() {
-            return Ok((from..first.len()).collect());
+            return Ok(all.to_vec());
         }
         let wanted = wanted.in_words();
         // A row with numbers is no header, so a text in it is data.
@@ -371,10 +408,13 @@ impl Counting {
         self.rows += 1;
     }
 
-    fn in_words(&self, columns: &[usize]) -> Option<String> {
-        let others: Vec<String> = columns[1..].iter().map(|column| (column + 1).to_string()).collect();
-        let advice =
-            if others.len() >= 2 { format!("; --columns {} leaves it out", others.join(",")) } else { String::new() };
+    fn in_words(&self, columns: &[usize], may_choose: bool) -> Option<String> {
+        let others: Vec<String> = columns.iter().skip(1).map(|column| (column + 1).to_string()).collect();
+        let advice = if may_choose && others.len() >= 2 {
+            format!("; --columns {} leaves it out", others.join(","))
+        } else {
+            String::new()
+        };
         let is_told = self.is_possible && self.rows >= COUNTED_ROWS;
         is_told.then(|| format!("column 1 counts the rows and is read as a coordinate{advice}"))
     }

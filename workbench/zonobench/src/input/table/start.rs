@@ -5,11 +5,24 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
-use super::header::{has_number, is_nameless, is_text, lone_count, numbers_columns};
+use super::header::{has_number, holds_names, is_nameless, is_no_name, is_text, lone_count, numbers_columns};
 use super::rows::{cells, parsed};
 use super::text::Text;
-use crate::input::error::InputError;
+use crate::input::error::{InputError, Place, Problem};
 use crate::input::number;
+
+/// The use of a table, as far as it says how its first row may be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Use {
+    /// Points of a table.
+    Table,
+    /// Points of a table of which the caller said how many lines are to be left out.
+    Told,
+    /// A cloud of points, whose columns no program numbers.
+    Cloud,
+    /// Vectors, where no option leaves out a line.
+    Vectors,
+}
 
 /// The first two rows of names or data, and what was found out about the table.
 pub(super) struct Start {
@@ -22,8 +35,10 @@ pub(super) struct Start {
     pub(super) count: Option<u64>,
     /// Whether the first row is a header that numbers the columns.
     pub(super) is_numbered: bool,
-    /// Whether the first column has no name and counts the rows.
-    pub(super) has_index: bool,
+    /// The columns without a name beside others with one: they are never coordinates.
+    pub(super) nameless: Vec<usize>,
+    /// The columns without a name, in words.
+    pub(super) nameless_in_words: Vec<String>,
     /// The rows that were left out.
     pub(super) left_out: Vec<String>,
     /// A first row that is read as data, though it may number the columns.
@@ -47,12 +62,12 @@ impl Start {
         file: &Path,
         text: &Text,
         records: &mut impl Iterator<Item = csv::Result<ByteRecord>>,
-        is_told: bool,
+        use_of: Use,
     ) -> Result<Option<Self>, InputError> {
         let mut next = || records.next().map(|row| parsed(file, row)).transpose();
         let Some(mut first) = next()? else { return Ok(None) };
         let mut second = next()?;
-        let (mut count, mut before_second) = (None, 1);
+        let (mut count, mut before_second, mut nameless) = (None, 1, Vec::new());
         let mut left_out = Vec::new();
         let holds_several = |row: &ByteRecord| row.iter().filter(|cell| !cell.trim_ascii().is_empty()).count() > 1;
         if let Some(counted) = lone_count(&first)
@@ -69,6 +84,14 @@ impl Start {
                 (first, second) = (row, next()?);
                 before_second += 1;
             }
+        } else if use_of != Use::Told
+            && let Some((sizes, others)) = sizes(text, &first)
+        {
+            let Some(row) = second.take() else { return Ok(None) };
+            left_out.push(sizes);
+            nameless = others;
+            (first, second) = (row, next()?);
+            before_second += 1;
         } else if let Some(counted) = second.as_ref().and_then(lone_count)
             && !has_number(&first)
             && holds_several(&first)
@@ -77,13 +100,22 @@ impl Start {
             (second, count) = (next()?, Some(counted));
             before_second += 1;
         }
-        let (is_numbered, has_index, width, in_doubt) = (false, false, 0, None);
-        let mut start = Self { first, second, width, count, is_numbered, has_index, left_out, in_doubt, before_second };
+        let mut start = Self {
+            first,
+            second,
+            width: 0,
+            count,
+            is_numbered: false,
+            nameless,
+            nameless_in_words: Vec::new(),
+            left_out,
+            in_doubt: None,
+            before_second,
+        };
         start.name_first_column(text);
         start.cut();
-        start.tell_numbered_columns(text, is_told);
-        start.has_index =
-            is_nameless(&start.first) && (start.is_numbered || !has_number(&start.first)) && start.counts_rows(text);
+        start.tell_numbered_columns(file, text, use_of)?;
+        start.find_nameless(text);
         Ok(Some(start))
     }
 
@@ -116,9 +148,9 @@ impl Start {
     /// A first row 0, 1, … is a header if a nameless column stands before it, or if all other rows are fractions, and
     /// it has three numbers or a fraction such as 2.0 shows that a point would be written otherwise: a figure may well
     /// begin with the point (0, 1).
-    fn tell_numbered_columns(&mut self, text: &Text, is_told: bool) {
-        if is_told || self.second.is_none() || !numbers_columns(&self.first) {
-            return;
+    fn tell_numbered_columns(&mut self, file: &Path, text: &Text, use_of: Use) -> Result<(), InputError> {
+        if matches!(use_of, Use::Told | Use::Cloud) || self.second.is_none() || !numbers_columns(&self.first) {
+            return Ok(());
         }
         let is_fraction = |cell: &[u8]| {
             let has_mark = cell.iter().any(|byte| b".,eE".contains(byte));
@@ -132,10 +164,31 @@ impl Start {
         let is_certain = self.first.len() > 2 || has_whole_fraction;
         self.is_numbered = is_nameless(&self.first) || (are_fractions && is_certain);
         let row = cells(&self.first).join(", ");
+        if !self.is_numbered && self.first.len() > 2 && use_of == Use::Table {
+            let line = text.line(&self.first);
+            return Err(Problem::NumbersOrData { row, skip: line }.at(file, Place::Line(line)));
+        }
         if self.is_numbered {
             self.left_out.push(format!("the first row ({}), which numbers the columns", row.trim_start_matches(", ")));
         } else {
             self.in_doubt = Some(RowInDoubt { row, line: text.line(&self.first) });
+        }
+        Ok(())
+    }
+
+    /// A column that the header leaves without a name holds numbers or names of rows.
+    fn find_nameless(&mut self, text: &Text) {
+        let is_header = self.is_numbered || holds_names(&self.first);
+        let is_without =
+            |column: &usize| self.nameless.contains(column) || (is_header && is_no_name(&self.first[*column]));
+        let nameless: Vec<usize> = (0..self.width).filter(is_without).collect();
+        if nameless.len() < self.width {
+            let in_words = |&column: &usize| match column == 0 && self.counts_rows(text) {
+                true => "column 1, which counts the rows".to_owned(),
+                false => format!("column {}, which has no name", column + 1),
+            };
+            self.nameless_in_words = nameless.iter().map(in_words).collect();
+            self.nameless = nameless;
         }
     }
 
@@ -145,6 +198,34 @@ impl Start {
         let Some(begin) = self.second.as_ref().and_then(number).filter(|&begin| begin <= 1) else { return false };
         (begin..).zip(self.rows_behind(text)).all(|(place, row)| number(&row) == Some(place))
     }
+}
+
+/// A first row of sizes in words, with the columns that hold no coordinates then: the number of rows behind it and the number of their cells, perhaps a zero, or the
+/// sizes of a file of TetGen. A row as long as the others is one only between spaces, as such rows are written.
+fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
+    let whole = |cell: &[u8]| std::str::from_utf8(cell).ok()?.trim().parse::<usize>().ok();
+    let sizes: Vec<usize> = first.iter().map(whole).collect::<Option<_>>()?;
+    let width = match *sizes.as_slice() {
+        [_, width] | [_, width, 0] => width,
+        [_, width, attributes, markers @ 0..=1] if markers + attributes <= 9 => 1 + width + attributes + markers,
+        _ => return None,
+    };
+    if width == 0 || (width == first.len() && text.separator() != b' ') {
+        return None;
+    }
+    let mut count = 0;
+    for row in text.rows().skip(1) {
+        let row = row.ok().filter(|row| row.len() == width && row.iter().all(number::is_number))?;
+        let is_counted = sizes.len() < 4 || whole(&row[0]).is_some_and(|place| place == count || place == count + 1);
+        count += 1;
+        if !is_counted {
+            return None;
+        }
+    }
+    let in_words = format!("the first row ({}), which says the sizes of the table", cells(first).join(", "));
+    let coordinates = if sizes.len() < 4 { 0..width } else { 1..1 + sizes[1] };
+    let others = (0..width).filter(|column| !coordinates.contains(column)).collect();
+    (count == sizes[0]).then_some((in_words, others))
 }
 
 fn ends_empty(row: &ByteRecord) -> bool {

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use csv::{ByteRecord, Position};
 
 use super::separator;
+use crate::input::{names, number};
 
 /// The marks with which a line of comment begins.
 const COMMENTS: [&str; 3] = ["#", "%", "//"];
@@ -25,6 +26,7 @@ impl<'a> Text<'a> {
     /// The text without its first lines.
     pub(super) fn new(content: Cow<'a, [u8]>, skip: u64) -> Self {
         let mut text = Self { content, skipped: 0, comments: [0; COMMENTS.len()], directive: None, separator: b',' };
+        let holds_rows = marks_rows(&text.content);
         let mut stated = None;
         let mut is_first = true;
         let mut start = 0;
@@ -42,8 +44,11 @@ impl<'a> Text<'a> {
                 text.directive = Some(String::from_utf8_lossy(line).into_owned());
                 stated = Some(separator);
                 blank = line.len();
-            } else if is_first && names_coordinates(line) {
-                blank = COMMENTS[2].len();
+            } else if is_first
+                && let Some(mark) = comment.filter(|&mark| names_coordinates(mark, line, &rest[length..]))
+            {
+                blank = COMMENTS[mark].len();
+            } else if comment == Some(0) && (holds_rows || begins_with_error(line)) {
             } else if let Some(mark) = comment {
                 text.comments[mark] += 1;
                 blank = line.len();
@@ -102,10 +107,52 @@ fn directive(line: &[u8]) -> Option<u8> {
     }
 }
 
-/// Whether a line such as `//X,Y,Z,Intensity` names the columns of a cloud of points.
-fn names_coordinates(line: &[u8]) -> bool {
-    let Some(line) = line.strip_prefix(COMMENTS[2].as_bytes()) else { return false };
-    let mut words = line.split(|byte| b",; \t".contains(byte)).filter(|word| !word.is_empty());
-    let mut is = |name: &[u8]| words.next().is_some_and(|word| word.eq_ignore_ascii_case(name));
-    is(b"x") && is(b"y")
+/// Whether a line of comment such as `//X,Y,Z,Intensity` or `# y x` names the columns of the numbers behind it.
+fn names_coordinates(mark: usize, line: &[u8], behind: &[u8]) -> bool {
+    let is_mark_of_names = mark != 1;
+    let cells = |line: &[u8]| -> Vec<String> {
+        let words = line.split(|byte| b",; \t".contains(byte)).filter(|word| !word.is_empty());
+        words.map(|word| String::from_utf8_lossy(word).into_owned()).collect()
+    };
+    let named = cells(line[COMMENTS[mark].len()..].trim_ascii());
+    if !is_mark_of_names || !names::are_coordinates(&named) {
+        return false;
+    }
+    let mut rows = behind.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
+    let is_comment = |line: &&[u8]| COMMENTS.iter().any(|mark| line.starts_with(mark.as_bytes()));
+    let is_number = |cell: &String| number::is_number(cell.as_bytes());
+    let is_row = |row: &[String]| row.len() == named.len() && row.iter().any(is_number);
+    // A count of points may stand between.
+    let mut next = || rows.find(|line| !is_comment(line)).map(cells);
+    let first = next();
+    let first = if first.as_ref().is_some_and(|row| row.len() == 1) { next() } else { first };
+    first.is_some_and(|row| is_row(&row))
+}
+
+/// Whether a line that begins with `#` is a row whose first cell is the error of a spreadsheet.
+fn begins_with_error(line: &[u8]) -> bool {
+    let end = line.iter().position(|byte| b",;|\t".contains(byte));
+    end.is_some_and(|end| number::is_error(&line[..end]))
+}
+
+/// Whether the lines that begin with `#` are rows whose first cell is a name such as `#1` or `#ff0000`: each goes on
+/// with two numbers or more, and the other rows, as far as there are any behind the first one, have text there, too.
+fn marks_rows(content: &[u8]) -> bool {
+    let lines = || content.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
+    let is_marked = |line: &&[u8]| line.starts_with(b"#");
+    let mut others = lines().filter(|line| !is_marked(line));
+    let is_row = |line: &[u8]| {
+        let cells: Vec<&[u8]> = line.split(|byte| b",;\t ".contains(byte)).filter(|cell| !cell.is_empty()).collect();
+        let is_name = cells[0].get(1).is_some_and(u8::is_ascii_alphanumeric);
+        is_name && cells.len() >= 3 && cells[1..].iter().all(|cell| number::is_number(cell))
+    };
+    let begins_with_number = |line: &[u8]| {
+        let end = line.iter().position(|byte| b",;\t ".contains(byte)).unwrap_or(line.len());
+        number::is_number(&line[..end])
+    };
+    let first_is_row = others.next().is_some_and(begins_with_number);
+    lines().any(|line| is_marked(&line))
+        && lines().filter(is_marked).all(is_row)
+        && !first_is_row
+        && !others.any(begins_with_number)
 }
