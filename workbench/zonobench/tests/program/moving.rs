@@ -146,13 +146,15 @@ fn a_bar_that_sweeps() {
         (&["--motion", "extra.json"], "extra.json: extra field `center` in the motion"),
         (&["--motion", "lacking.json"], "lacking.json: the motion has no field `angle`"),
         (&["--axis", "0,0,0", "--angle", "1"], "axis of the rotation is zero"),
-        (&["--axis", "0,0,1", "--angle", "inf"], "angle"),
         (&["--translation", "1.7e308,0,0", "--axis", "0,0,1", "--angle", "3", "--axis-point", "-1.7e308,0,0"], "range"),
     ] {
         let refused = sweep(options);
         assert_eq!((refused.status, refused.stdout.as_str()), (1, ""), "{options:?}");
         assert!(refused.stderr.contains(complaint), "{options:?}: {}", refused.stderr);
     }
+    let infinite = sweep(&["--axis", "0,0,1", "--angle", "inf"]);
+    assert_eq!((infinite.status, infinite.stdout.as_str()), (2, ""));
+    assert!(infinite.stderr.contains("a finite number is expected"), "{}", infinite.stderr);
 }
 
 #[test]
@@ -166,7 +168,8 @@ fn an_angle_that_may_be_in_degrees_earns_a_hint_in_every_command_of_motions() {
     }
     let hint = "the angle 90.0 is in radians, 14.3239 full turns; 90.0 degrees are 1.5707963267948966 radians";
     let by_options = ["--axis", "0,0,1", "--angle", "90"];
-    for command in [&["sweep", "bar.json"][..], &["collide", "bar.json", "far.json"], &["draw", "motion", "bar.json"]] {
+    let drawn = ["draw", "motion", "bar.json", "--force", "--svg", "bar.svg"];
+    for command in [&["sweep", "bar.json"][..], &["collide", "bar.json", "far.json"], &drawn] {
         for motion in [&by_options[..], &["--motion", "turn.json"]] {
             let told = run(folder, &[command, motion].concat());
             assert_eq!(told.status, 0, "{command:?}: {}", told.stderr);

@@ -12,8 +12,9 @@ use crate::input::Format;
 /// Options of `mesh`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The first mesh: OBJ, PLY, STL or OFF; `-` is standard input. Faces of more than three corners are cut into
-    /// triangles.
+    /// The first mesh: OBJ, PLY, STL or OFF; `-` is standard input.
+    ///
+    /// Faces of more than three corners are cut into triangles.
     pub(super) a: PathBuf,
     /// The second mesh.
     pub(super) b: PathBuf,

@@ -63,8 +63,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     Some(format!(
         "At a clearance of one thousandth the median motion is proved free by {} stretches of time with one direction \
          each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as many. Of the \
-         collisions of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and samples contradict {} of the \
-         answers by control points.",
+         collisions of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and samples contradict \
+         {} of the answers by control points.",
         numbers(&own)?,
         numbers(&papers)?,
         share("by_sampling")?,

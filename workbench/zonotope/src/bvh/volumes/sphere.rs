@@ -7,7 +7,7 @@ use crate::bvh::frame::Frame;
 use crate::bvh::volume::BoundingVolume;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{difference, dot, exact};
-use crate::numeric::linear::euclidean_norm;
+use crate::numeric::linear::{euclidean_norm, norm_of_any_size};
 use crate::numeric::tolerance::ROUNDED_RADIUS;
 
 /// A ball by its centre and radius.
@@ -37,7 +37,8 @@ impl BoundingVolume for Sphere {
     fn gap(&self, other: &Self, frame: &Frame) -> f64 {
         let to = frame.image(&other.center);
         let apart = std::array::from_fn(|k| to[k] - self.center[k]);
-        euclidean_norm(&apart) - self.radius - frame.ratio * other.radius
+        // the other mesh may be as far away as doubles go
+        norm_of_any_size(&apart) - self.radius - frame.ratio * other.radius
     }
 
     fn contains(&self, point: &[f64; 3]) -> bool {

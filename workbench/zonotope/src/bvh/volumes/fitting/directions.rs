@@ -113,7 +113,7 @@ mod tests {
     use crate::numeric::linear::dot;
 
     #[test]
-    fn a_rhombic_dodecahedron_needs_four_generators() {
+    fn a_search_fits_a_rhombic_dodecahedron_better_than_its_box() {
         let corner = |signs: [f64; 4]| {
             let diagonals = [[1.0, 1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]];
             std::array::from_fn(|k| (0..4).map(|i| 0.25 * signs[i] * diagonals[i][k]).sum::<f64>())
