@@ -85,7 +85,7 @@ impl MovingBodies {
                 return Self::of(&pair.moved_aside(low));
             }
             if low < -FARTHEST_ASIDE {
-                return Err(format!("{family}: the bodies do not come near by moving one back"));
+                return Err(format!("{family}: the bodies do not come near by moving one back by {}", -low));
             }
             low -= gap + 0.5 * CLEARANCE_EXCESS * clearance;
             gap = distance(low)? - clearance;
@@ -190,6 +190,19 @@ impl MovingBodies {
 mod tests {
     use super::*;
     use families::motions::SCENES;
+
+    #[test]
+    fn scenes_of_many_seeds_reach_their_clearance() {
+        let mut missed = Vec::new();
+        for family in SCENES {
+            for seed in (0..24).chain([1 << 63, u64::MAX / 3, u64::MAX]) {
+                if let Err(reason) = MovingBodies::at_clearance(family, seed, 1e-2) {
+                    missed.push(format!("seed {seed}: {reason}"));
+                }
+            }
+        }
+        assert!(missed.is_empty(), "{missed:#?}");
+    }
 
     #[test]
     fn scenes_are_at_their_clearance_and_proved_to_be_free() {
