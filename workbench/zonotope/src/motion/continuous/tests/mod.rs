@@ -9,6 +9,7 @@ use crate::zonotope::Zonotope;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+mod any_size;
 mod degenerate;
 mod soundness;
 
