@@ -100,7 +100,7 @@ impl Bound for Volumes {
 
 /// A zonotope around all placements of a body on a stretch; `None` where it leaves the range of doubles.
 ///
-/// It is that of the body as it is rounded at the start, made larger by a pad of more than all roundings and the margin.
+/// It is that of the body as it is rounded at the start, larger by a pad of more than all roundings and the margin.
 fn volume(body: &Body<'_>, arc: &Arc<f64>, pad: f64) -> Option<Zonotope<3>> {
     let [turn, _] = &arc.turns;
     let square = dot(turn, turn);
