@@ -188,19 +188,6 @@ mod tests {
         }
     }
 
-    /// Proofs that were refused once.
-    #[test]
-    fn proofs_of_crafted_motions_are_accepted() {
-        for seed in [8741, 9508] {
-            let moving =
-                MovingBodies::of(&find("crafted_motions").expect("a family").generate(seed)).expect("a motion");
-            let (bodies, motions) = (moving.bodies.each_ref(), moving.motions.each_ref());
-            let found = Method::default().first_contact(bodies, motions, RESOLUTION, &mut ());
-            let verdict = moving.check(RESOLUTION, &found);
-            assert!(verdict.is_right(), "{seed}: {verdict:?}: {found:?} to {moving:?}");
-        }
-    }
-
     /// A longer free time than the true one is contradicted, so that the check can fail.
     #[test]
     fn an_answer_that_misses_a_collision_is_contradicted() {
