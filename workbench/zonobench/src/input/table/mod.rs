@@ -1,5 +1,6 @@
 //! Points from a table of separated cells.
 
+mod counting;
 mod decimals;
 mod header;
 mod rows;
@@ -12,6 +13,7 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
+use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
 use self::start::{RowInDoubt, Start, Use};
@@ -384,40 +386,6 @@ fn available(first: &ByteRecord) -> String {
         false => name,
     };
     cells(first).into_iter().enumerate().map(named).collect::<Vec<_>>().join(", ")
-}
-
-/// Whether a first column without a name, which nobody chose, counts the rows.
-struct Counting {
-    begin: Option<f64>,
-    rows: usize,
-    is_possible: bool,
-}
-
-/// Rows from which on a column is said to count them.
-const COUNTED_ROWS: usize = 3;
-
-impl Counting {
-    fn new(shape: &Shape, is_named: bool, columns: &[usize]) -> Self {
-        let is_possible = shape.columns.is_none() && !is_named && columns.len() >= 2 && columns[0] == 0;
-        Self { begin: None, rows: 0, is_possible }
-    }
-
-    fn note(&mut self, number: f64) {
-        let begin = *self.begin.get_or_insert(number);
-        self.is_possible &= (begin == 0.0 || begin == 1.0) && number == begin + self.rows as f64;
-        self.rows += 1;
-    }
-
-    fn in_words(&self, columns: &[usize], may_choose: bool) -> Option<String> {
-        let others: Vec<String> = columns.iter().skip(1).map(|column| (column + 1).to_string()).collect();
-        let advice = if may_choose && others.len() >= 2 {
-            format!("; --columns {} leaves it out", others.join(","))
-        } else {
-            String::new()
-        };
-        let is_told = self.is_possible && self.rows >= COUNTED_ROWS;
-        is_told.then(|| format!("column 1 counts the rows and is read as a coordinate{advice}"))
-    }
 }
 
 /// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides

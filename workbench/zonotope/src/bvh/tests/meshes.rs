@@ -22,7 +22,7 @@ pub(super) fn cube() -> Mesh {
 /// A sphere of latitudes and longitudes, or a torus where the tube is not a half circle; no coordinate is short.
 pub(super) fn round(rows: u32, columns: u32, radius: f64) -> Mesh {
     let point = |i: u32, j: u32| {
-        let (a, b) = (f64::from(i) * 6.0 / f64::from(rows), f64::from(j) * 6.28 / f64::from(columns));
+        let (a, b) = (f64::from(i) * 6.0 / f64::from(rows), f64::from(j) * 6.25 / f64::from(columns));
         let reach = radius + libm::cos(a);
         [reach * libm::cos(b), reach * libm::sin(b), libm::sin(a)]
     };

@@ -49,9 +49,9 @@ impl BoundingVolume for Aabb {
     fn around(points: &[[f64; 3]], _effort: usize) -> Self {
         let mut found = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
         for point in points {
-            for k in 0..3 {
-                found.low[k] = found.low[k].min(point[k]);
-                found.high[k] = found.high[k].max(point[k]);
+            for (k, c) in point.iter().enumerate() {
+                found.low[k] = found.low[k].min(*c);
+                found.high[k] = found.high[k].max(*c);
             }
         }
         found

@@ -29,7 +29,7 @@ const NORMALS: [[f64; 3]; 13] = [
 
 /// The factors that make these normals unit vectors, rounded down.
 const SHORTENING: [f64; 13] = {
-    let (edge, corner) = (0.707_106_781_186, 0.577_350_269_189);
+    let (edge, corner) = (0.7071, 0.5773);
     [1.0, 1.0, 1.0, edge, edge, edge, edge, edge, edge, corner, corner, corner, corner]
 };
 
@@ -142,7 +142,7 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
     #[inline]
     fn gap(&self, other: &Self, turned: &TurnedNormals<N>) -> f64 {
         let mut gap = f64::NEG_INFINITY;
-        for k in 0..N {
+        for (k, shortening) in SHORTENING.iter().enumerate().take(N) {
             let (shift, combination) = &turned.first[k];
             let [forth, back] = combination.reaches(other).map(|reach| turned.ratio * reach);
             let [ahead, behind] = self.reaches[k];
@@ -151,7 +151,7 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
             let [ahead, behind] = combination.reaches(self);
             let [forth, back] = other.reaches[k].map(|reach| turned.ratio * reach);
             let along_second = (shift - back - ahead).max(-behind - shift - forth);
-            gap = gap.max(along_first.max(along_second) * SHORTENING[k]);
+            gap = gap.max(along_first.max(along_second) * shortening);
         }
         gap
     }
