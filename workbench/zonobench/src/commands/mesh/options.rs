@@ -36,7 +36,9 @@ pub struct Options {
     /// List all pairs of triangles that meet.
     #[arg(long)]
     pub(super) pairs: bool,
-    /// The bounding volume of the hierarchies. The answer does not depend on it.
+    /// The bounding volume of the hierarchies.
+    ///
+    /// The answer does not depend on it.
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::id)))]
     pub(super) volume: Option<String>,
     /// Write the answer, in the format of `solve`.

@@ -29,7 +29,7 @@ const NORMALS: [[f64; 3]; 13] = [
 
 /// The factors that make these normals unit vectors, rounded down.
 const SHORTENING: [f64; 13] = {
-    let (edge, corner) = (0.7071, 0.5773);
+    let (edge, corner) = (0.999_999 * std::f64::consts::FRAC_1_SQRT_2, 0.577_35);
     [1.0, 1.0, 1.0, edge, edge, edge, edge, edge, edge, corner, corner, corner, corner]
 };
 
