@@ -49,8 +49,8 @@ pub fn run(
         .map_err(in_directory)?;
     let (time_journal, kept_times) = store.journal("times").map_err(in_directory)?;
     let times = if options.times {
-        timing::run(experiments, options, &share, &counts, &environment, kept_times, time_journal.as_ref(), progress)
-            .map_err(in_directory)?
+        let kept = (kept_times, time_journal.as_ref());
+        timing::run(experiments, options, &share, &counts, &environment, kept, progress).map_err(in_directory)?
     } else {
         Vec::new()
     };

@@ -20,8 +20,7 @@ pub(super) fn run(
     share: &Share,
     counts: &[CountRow],
     environment: &Environment,
-    kept: Vec<TimeRow>,
-    journal: Option<&Journal>,
+    (kept, journal): (Vec<TimeRow>, Option<&Journal>),
     progress: &dyn Progress,
 ) -> io::Result<Vec<TimeRow>> {
     let counts: BTreeMap<&str, &CountRow> = counts.iter().map(|row| (row.key.case.as_str(), row)).collect();
