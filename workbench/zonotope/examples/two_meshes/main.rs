@@ -10,8 +10,8 @@ const SIDE: u32 = 24;
 /// A sphere of radius 1, its poles cut off.
 fn sphere() -> Mesh {
     let point = |i: u32, j: u32| {
-        let (a, b) = (f64::from(i) * 3.0 / f64::from(SIDE) - 1.5, f64::from(j) * 6.2832 / f64::from(SIDE));
-        [a.cos() * b.cos(), a.cos() * b.sin(), a.sin()]
+        let (a, b) = (f64::from(i) * 3.0 / f64::from(SIDE) - 1.5, f64::from(j) * 6.25 / f64::from(SIDE));
+        [libm::cos(a) * libm::cos(b), libm::cos(a) * libm::sin(b), libm::sin(a)]
     };
     let vertices = (0..=SIDE).flat_map(|i| (0..SIDE).map(move |j| point(i, j))).collect();
     let at = |i: u32, j: u32| i * SIDE + j % SIDE;

@@ -8,7 +8,7 @@
 //! No part of the paper: the truth that hierarchies are held to.
 //!
 //! # Method
-//! The linear program of [`triangles::brute_force`](super::triangles::brute_force) for every pair whose boxes along
+//! The linear program of [`super::triangles::brute_force`] for every pair whose boxes along
 //! the axes meet.
 //!
 //! # Complexity

@@ -1,7 +1,7 @@
 //! The topology of a hierarchy: a binary tree over triangles by the surface area heuristic, the same for all volumes.
 //!
 //! A node is split where the expected cost, the surfaces of both boxes times the triangles in them, is least among the
-//! planes of [`BINS`] bins along each axis (MacDonald and Booth 1990; bins after Wald 2007).
+//! planes of `BINS` bins along each axis (MacDonald and Booth 1990; bins after Wald 2007).
 
 use super::volume::BoundingVolume;
 use super::volumes::aabb::Aabb;

@@ -10,7 +10,7 @@
 //! Let ε bound the entries of Mᵀ M − I for both matrices. The inverse of M is (I + E)⁻¹ Mᵀ with entries of E up to ε,
 //! so R is 2^(e_B − e_A) times M_Aᵀ M_B up to 6 ε and 2^-48 in each entry, and s is M_Aᵀ times the difference of the
 //! translations up to (9 ε + 2^-49) times the sum of its coordinates, which is at most 3 |s|. A point is off by
-//! [`POINT_OF_A_FRAME`] (1 + |s|) in each coordinate with room to spare, where ε is below 2^-40.
+//! `POINT_OF_A_FRAME` (1 + |s|) in each coordinate with room to spare, where ε is below 2^-40.
 //!
 //! A volume reaches at most [`REACH_LIMIT`] from the origin along each axis. A test of two volumes along a direction u,
 //! |u| ≤ 1, adds up terms whose magnitudes sum up to at most 4 |s| + 128, each through fewer than a hundred roundings;
