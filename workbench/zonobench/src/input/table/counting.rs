@@ -1,7 +1,5 @@
 //! A first column that counts the rows.
 
-use super::Shape;
-
 /// Whether a first column without a name, which nobody chose, counts the rows.
 pub(super) struct Counting {
     begin: Option<f64>,
@@ -13,8 +11,8 @@ pub(super) struct Counting {
 const COUNTED_ROWS: usize = 3;
 
 impl Counting {
-    pub(super) fn new(shape: &Shape, is_named: bool, columns: &[usize]) -> Self {
-        let is_possible = shape.columns.is_none() && !is_named && columns.len() >= 2 && columns[0] == 0;
+    pub(super) fn new(is_chosen: bool, is_named: bool, columns: &[usize]) -> Self {
+        let is_possible = !is_chosen && !is_named && columns.len() >= 2 && columns[0] == 0;
         Self { begin: None, rows: 0, is_possible }
     }
 

@@ -144,7 +144,7 @@ impl<'a> Table<'a> {
             names = columns.iter().map(|&column| all[column].clone()).collect();
         }
         let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud: false };
-        let mut counting = Counting::new(&shape, is_header, &columns);
+        let mut counting = Counting::new(shape.columns.is_some(), is_header, &columns);
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
         let mut numbers = Vec::new();
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
@@ -199,7 +199,7 @@ impl<'a> Table<'a> {
         let has_header = is_numbered || is_named || opening(&first, &columns) == Opening::Header;
         let names = if has_header && !is_numbered { cells(&first) } else { vec![String::new(); first.len()] };
         let data = (!has_header).then_some(first).into_iter().chain(second).map(Ok);
-        let mut counting = Counting::new(shape, has_header, &columns);
+        let mut counting = Counting::new(shape.columns.is_some(), has_header, &columns);
         let skipped_before = skipping.count();
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;

@@ -5,17 +5,17 @@
 //!
 //! | file | answers | cost |
 //! |---|---|---|
-//! | `by_planes` | pairs in general position, over any numbers with certain signs | 2 planes, then at most 18 volumes |
-//! | `by_separating_planes` | all pairs, in exact numbers | 30 directions |
+//! | [`by_planes`] | pairs in general position, over any numbers with certain signs | 2 planes, then at most 18 volumes |
+//! | [`by_separating_planes`] | all pairs, in exact numbers | 30 directions |
 //! | [`brute_force`] | all pairs, in rationals: the truth | a linear program of nine unknowns |
-//! | `distance` | bounds of the distance, in doubles and exactly | 15 pairs of features |
+//! | [`distance`] | bounds of the distance, in doubles and exactly | 15 pairs of features |
 //!
 //! `meet_exactly` is the exact answer: the first where signs decide, else the second.
 
 pub mod brute_force;
-pub(crate) mod by_planes;
-pub(crate) mod by_separating_planes;
-pub(crate) mod distance;
+pub mod by_planes;
+pub mod by_separating_planes;
+pub mod distance;
 #[cfg(test)]
 mod tests;
 
