@@ -38,9 +38,9 @@ pub struct Options {
     /// The file has families, sizes, variants and own files as inputs.
     #[arg(long, value_name = "FILE", conflicts_with = "only")]
     pub(super) config: Option<PathBuf>,
-    /// Count and time the part I of N alone, from 0/N on, and write it into the folder as a file; `merge` puts the
-    /// parts together.
+    /// Count and time the part I of N alone, from 0/N on; `merge` puts the parts together.
     ///
+    /// The part is written into the folder as a file.
     /// A part that is there already is left as it is, and one that was interrupted is gone on with.
     #[arg(long, value_name = "I/N")]
     pub(super) shard: Option<Shard>,

@@ -30,8 +30,9 @@ pub struct Options {
     /// Seed of the methods that use random numbers; the answers' optima do not depend on it.
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// Answer the part I of N of the file's questions alone, from 0/N on, and write it into the folder of --out;
-    /// `merge` puts the parts together.
+    /// Answer the part I of N of the file's questions alone, from 0/N on; `merge` puts the parts together.
+    ///
+    /// The part is written into the folder of --out.
     #[arg(long, value_name = "I/N", requires_all = ["file", "out"])]
     shard: Option<Shard>,
     /// The folder of the shard.
