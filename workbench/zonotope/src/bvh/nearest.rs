@@ -152,6 +152,9 @@ impl Best {
         let lower = world(self.lower, 1.0 - DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_most(&bound));
         let upper = world(self.upper, 1.0 + DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_least(&bound));
         let upper = upper.min(self.exact[1]);
+        // near the largest double the rounding of the frame leads beyond it, where the distance itself may not
+        let is_beyond = upper == f64::INFINITY && self.reach.is_finite();
+        let upper = if is_beyond { question.exact_bounds(self.pair)[1] } else { upper };
         let lower = lower.min(self.exact[0]).min(upper).min(f64::MAX);
         MeshDistance { lower, upper, nearest: question.ordered(self.pair) }
     }

@@ -70,3 +70,14 @@ fn distances_above_the_largest_double_have_no_upper_bound() {
     let found = first.distance(&second);
     assert!(found.lower == 5e-324 && found.upper == 1e-323, "{found:?}");
 }
+
+#[test]
+fn distances_up_to_the_largest_double_have_an_upper_bound() {
+    let points = |list: &[[f64; 3]]| meshes::mesh(list, &[[0, 1, 1]]);
+    let largest = f64::MAX;
+    let far = [[0.0, -0.3 * largest, 0.3 * largest], [-2.0, -3.0, 0.5 * largest]];
+    let [first, second] =
+        [&[[0.0, largest.next_down(), 0.5 * largest]; 2], &far].map(|list| Bvh::<Aabb>::build(&points(list)));
+    let found = first.distance(&second);
+    assert!(0.999 * largest < found.lower && found.lower <= found.upper && found.upper <= largest, "{found:?}");
+}
