@@ -23,7 +23,7 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     /// Whether fitting takes time enough for the convex hull of the points to be worth it.
     const IS_FITTED_TO_HULL: bool;
 
-    /// What a question about two hierarchies computes once.
+    /// The numbers that a question about two hierarchies computes once, for all its tests of pairs of nodes.
     type Turned;
 
     /// A volume around points, of which there is at least one. `effort` bounds the steps of a search for a better
@@ -35,7 +35,7 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
         Self::around(points, 0)
     }
 
-    /// What tests of pairs need to know of a frame.
+    /// The numbers of a frame that tests of pairs of nodes read.
     fn turned(frame: &Frame) -> Self::Turned;
 
     /// The largest gap between this volume, of the first hierarchy, and one of the second, along the directions that

@@ -39,7 +39,7 @@ pub(super) struct Piece {
     rounded: Course<f64>,
     /// |base|_1 + |travel|_1, rounded.
     base_size: f64,
-    /// What times are multiplied by: 1, or of a short piece a power of two.
+    /// The factor of all times: 1, or of a short piece a power of two, so that products of times do not vanish.
     time_factor: f64,
     is_translation: bool,
 }

@@ -1,4 +1,4 @@
-//! How far apart two triangles are: two bounds in doubles, and the exact square.
+//! The distance of two triangles: two bounds in doubles, and the exact square.
 //!
 //! # Statement
 //! Input: two triangles. Output: bounds of their distance, in doubles from corners that are off by a stated error; or,

@@ -38,8 +38,8 @@ impl Margin {
     }
 }
 
-/// How much less the gap of two bodies along a direction may be than on the stretch; infinite where products with the
-/// direction may vanish.
+/// The margin of a gap: a rotation at constant rate may leave the gap of two bodies along a direction smaller than that
+/// of the stretch, but by no more than this. It is infinite where products with the direction may vanish.
 pub(in crate::motion::continuous) fn along(margins: &[Margin; 2], direction: &SeparatingDirection) -> f64 {
     let [first, second] = margins;
     if (first.distance, second.distance) == (0.0, 0.0) {
