@@ -47,9 +47,10 @@
 //! 5. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove.
 //! 6. `contain` enlarges coefficients until every point is inside, exactly.
 //!
-//! That is all for ordinary input. Three pieces serve the rest, each behind one function: `contain/flat_center` for
-//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `solve/refine`
-//! for small problems whose bounds do not meet.
+//! That is all for ordinary input. Four pieces serve the rest, each behind one function: `solve/equilibrated` for
+//! directions that are thin along an axis, `contain/flat_center` for directions that do not span the space,
+//! `contain/thickened` for flat and needle-shaped bodies, and `solve/refine` for small problems whose bounds do not
+//! meet.
 
 #[cfg(feature = "linear-programming")]
 mod all_normals;

@@ -2,16 +2,19 @@
 //!
 //! The steps in the order of the code, each with the file that takes it:
 //! 1. `span` finds the span of the directions exactly, and a point off it if there is one;
-//! 2. `scaled` takes coordinates of ordinary size, and one direction for each line;
-//! 3. `row_generation` guesses normals, centre and coefficients in doubles;
-//! 4. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove;
-//! 5. `contain` finds centre and coefficients in doubles with which every point is inside, exactly;
-//! 6. `refine` takes the optimum in rationals from `rational` where the bounds do not meet and the problem is small.
+//! 2. `equilibrated` stretches the axes along which all directions are thin, by powers of two;
+//! 3. `scaled` takes coordinates of ordinary size, and one direction for each line;
+//! 4. `row_generation` guesses normals, centre and coefficients in doubles;
+//! 5. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove;
+//! 6. `contain` finds centre and coefficients in doubles with which every point is inside, exactly;
+//! 7. `refine` takes the optimum in rationals from `rational` where the bounds do not meet and the problem is small.
 
+mod equilibrated;
 mod refine;
 
 use std::cell::Cell;
 
+use self::equilibrated::Equilibrated;
 use self::refine::refine;
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
 use super::contain::contain;
@@ -42,26 +45,39 @@ const EXACT_WORK_LIMIT: u64 = 1 << 25;
 pub(super) fn solve_with<const D: usize>(
     problem: &FixedDirections<'_, D>,
     tally: &mut dyn Tally,
-    add_known_normals: impl FnOnce(
-        &Scaled<D>,
-        &mut Generation<'_, D>,
-        &mut dyn Tally,
-    ) -> Result<usize, FixedDirectionsError>,
+    add_known_normals: impl Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     let span = Span::of_doubles(problem.directions());
     if let Some(departure) = first_departure(&span, problem.points()) {
         return Ok(Enclosure::Infeasible(OffSpan { points: [0, departure.point], functional: departure.functional }));
     }
-    let scaled = Scaled::new(problem, &span);
+    if let Some(equilibrated) = Equilibrated::new(problem) {
+        let problem = equilibrated.problem(problem);
+        let answer = solve_in_span(&problem, &Span::of_doubles(problem.directions()), tally, &add_known_normals)?;
+        if let Some(answer) = equilibrated.restored(answer) {
+            return Ok(Enclosure::Optimal(answer));
+        }
+    }
+    solve_in_span(problem, &span, tally, &add_known_normals).map(Enclosure::Optimal)
+}
+
+/// Solves a problem whose points differ by vectors of the directions' span.
+fn solve_in_span<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    span: &Span,
+    tally: &mut dyn Tally,
+    add_known_normals: &impl Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>,
+) -> Result<DirectedZonotope<D>, FixedDirectionsError> {
+    let scaled = Scaled::new(problem, span);
     if scaled.rank == 0 {
-        return Ok(Enclosure::Optimal(DirectedZonotope {
+        return Ok(DirectedZonotope {
             center: problem.points()[0],
             coefficients: vec![0.0; problem.directions().len()],
             value: 0.0,
             lower_bound: 0.0,
             multipliers: Vec::new(),
             effort: Effort::default(),
-        }));
+        });
     }
     let vectors = scaled.directions.iter().map(|d| d.vector).collect();
     let weights = scaled.directions.iter().map(|d| d.weight).collect();
@@ -70,9 +86,9 @@ pub(super) fn solve_with<const D: usize>(
     // A generation that gets stuck leaves a guess all the same. It is proven like any other, and the bounds say how
     // good it is.
     let _ = generation.run(tally);
-    let mut answer = prove(Setting { problem, scaled: &scaled, span: &span }, &mut generation)?;
+    let mut answer = prove(Setting { problem, scaled: &scaled, span }, &mut generation)?;
     answer.effort.rows = answer.effort.rows.max(given_rows);
-    Ok(Enclosure::Optimal(answer))
+    Ok(answer)
 }
 
 /// The zonotope of a generation, made to contain every point, with the lower bound that its multipliers prove.

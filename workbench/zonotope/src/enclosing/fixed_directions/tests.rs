@@ -57,6 +57,13 @@ fn real<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value = 
     proptest::collection::vec(proptest::array::uniform(-1.0..1.0f64), count)
 }
 
+/// A vector times a power of ten, and its last coordinate over another one.
+fn thin<const D: usize>(v: [f64; D], scale: i32, thickness: i32) -> [f64; D] {
+    let scale = 10f64.powi(scale);
+    let last = scale * 10f64.powi(-thickness);
+    std::array::from_fn(|c| v[c] * if c + 1 == D { last } else { scale })
+}
+
 const WEIGHTS: [f64; 8] = [1.0, 2.0, 1.0, 0.5, 1.0, 3.0, 1.0, 1.0];
 
 macro_rules! dimensions {
@@ -103,13 +110,9 @@ macro_rules! dimensions {
                     points in real::<$d>(4..9), directions in real::<$d>($least..$most),
                     thickness in 2i32..10, scale in -140i32..141, length in -140i32..141,
                 ) {
-                    let thin = |v: [f64; $d], scale: i32| {
-                        let scale = 10f64.powi(scale);
-                        let last = scale * 10f64.powi(-thickness);
-                        std::array::from_fn(|c| v[c] * if c + 1 == $d { last } else { scale })
-                    };
-                    let points: Vec<[f64; $d]> = points.into_iter().map(|p| thin(p, scale)).collect();
-                    let directions: Vec<[f64; $d]> = directions.into_iter().map(|v| thin(v, length)).collect();
+                    let points: Vec<[f64; $d]> = points.into_iter().map(|p| thin(p, scale, thickness)).collect();
+                    let directions: Vec<[f64; $d]> =
+                        directions.into_iter().map(|v| thin(v, length, thickness)).collect();
                     // the centre's rounding is as much larger as directions are nearer to a plane
                     let within = 1e-12 * 10f64.powi(thickness);
                     check(&points, &directions, &WEIGHTS[..directions.len()], within)?;
@@ -199,6 +202,55 @@ fn points_that_are_as_thin_as_three_directions() {
     for scale in [0, -460, 460] {
         let points = points.map(|p| p.map(|c| scale_by_power_of_two(c, scale)));
         check(&points, &directions, &[1.0; 3], 1e-8).expect("all of the points that need more are taken up");
+    }
+}
+
+#[test]
+fn points_and_directions_that_are_thin_in_four_dimensions() {
+    let cases: [(i32, i32, i32, [[f64; 4]; 4], [[f64; 4]; 6]); 2] = [
+        (
+            9,
+            60,
+            -53,
+            [
+                [-0.9617061012736785, 0.0, 0.0, 0.0],
+                [0.0, 0.44932409429441217, 0.0, 0.0],
+                [0.0; 4],
+                [-0.5618209472682056, 0.0, 0.0, 0.7634551223976159],
+            ],
+            [
+                [0.0, 0.0, 0.88701539864551, 0.4264472789262376],
+                [0.0, 0.2374869152755511, 0.0, 0.0],
+                [0.2667336067846877, 0.8434187035988162, -0.7106380606099085, -0.008650893043690884],
+                [-0.8868339667531944, 0.7193584925105977, 0.7365907306504242, 0.3696659064424215],
+                [0.7977212098695491, -0.9028907200491267, 0.45696846175254885, -0.0507800212790523],
+                [0.2288089118719063, 0.7836240655714221, 0.28116208886355926, -0.6039326733577272],
+            ],
+        ),
+        (
+            8,
+            0,
+            28,
+            [
+                [0.0, 0.0, 0.8015955404994288, -0.9788206507509588],
+                [0.0, 0.3654809832234513, 0.0, 0.0],
+                [0.0; 4],
+                [-0.676104368935486, 0.0, 0.0, 0.0],
+            ],
+            [
+                [0.0, -0.9455153733137016, -0.3765975132137236, 0.1493520593550751],
+                [0.0, 0.0, 0.5702677658919166, 0.6866942736465546],
+                [0.0, -0.8104812955261785, 0.0, 0.9759538987887951],
+                [-0.003113616082664433, -0.45359238544827785, 0.0, -0.2854640820436294],
+                [-0.3999517894428417, 0.0, 0.0473891568890672, 0.20869447493184157],
+                [0.9508472772725004, 0.0, -0.64752749605557, 0.0],
+            ],
+        ),
+    ];
+    for (thickness, scale, length, points, directions) in cases {
+        let points = points.map(|p| thin(p, scale, thickness));
+        let directions = directions.map(|v| thin(v, length, thickness));
+        check(&points, &directions, &WEIGHTS[..6], 1e-12 * 10f64.powi(thickness)).expect("small programs are exact");
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The program is solved for an active set of points. Its optimum proves a lower bound; rounded, and enlarged until it
 //! contains all points, it is a candidate for the answer. The points for which the candidate was enlarged join the
-//! active set, and the program is solved again.
+//! active set, and the program is solved again. Points that are no more than the unknowns of the program are all active
+//! from the beginning: a point adds a height for each unknown, and a second solution costs as much as the first.
 
 use std::cell::Cell;
 
@@ -37,8 +38,13 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
 ) -> Result<(), FixedDirectionsError> {
     let Setting { problem, scaled, .. } = setting;
     let kept = &scaled.directions;
-    if normal_count(kept.len(), scaled.rank) > RATIONAL_NORMAL_LIMIT {
+    let normals = normal_count(kept.len(), scaled.rank);
+    if normals > RATIONAL_NORMAL_LIMIT {
         return Ok(());
+    }
+    let count = problem.points().len();
+    if count <= (2 * normals).min(RATIONAL_POINT_LIMIT) {
+        active.extend(0..count);
     }
     let directions: Vec<[f64; D]> = kept.iter().map(|d| problem.directions()[d.index]).collect();
     let weights: Vec<f64> = kept.iter().map(|d| problem.weights()[d.index]).collect();
