@@ -108,12 +108,15 @@ impl Turning {
         let base = [from, to].map(|time| sum(&multiple(&weight, &self.point), &multiple(time, &self.travel)));
         let arm = multiple(&-&weight, &self.point);
         if self.angle == IBig::ZERO {
-            let (ends_off, chord) = (IBig::ZERO, IBig::ZERO);
+            let (ends_off, chord) = ([IBig::ZERO, IBig::ZERO], IBig::ZERO);
             return Stretch { turns: vec![identity()], base, arm, weight, ends_off, chord, axis: None };
         }
         let mut turns = vec![self.turned(from, places)];
-        // Rounding to 2^-80 leaves an end within 2^-78, see `turned`.
-        let ends_off = IBig::ONE << (ANGLE_PLACES - END_PLACES + 4);
+        // Rounding to 2^-80 leaves an end within 2^-78, see `turned`; no turn is not rounded.
+        let off = |time: &IBig| {
+            if *time == IBig::ZERO { IBig::ZERO } else { IBig::ONE << (ANGLE_PLACES - END_PLACES + 4) }
+        };
+        let ends_off = [off(from), off(to)];
         let mut chord = IBig::ZERO;
         if from != to {
             turns.push(self.turned(to, places));

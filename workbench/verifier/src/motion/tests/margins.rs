@@ -46,6 +46,19 @@ fn one_turn_beside_a_body_at_rest_has_no_margin() {
 }
 
 #[test]
+fn a_gap_narrower_than_the_sines_that_show_it_is_not_called_false() {
+    // a point turns by the double below half a turn, and its cosine misses 1 by 7.5e-33
+    let half = turn(Z, std::f64::consts::PI, ORIGIN);
+    let beside = |x: f64| {
+        let bodies = [[-1.0, 0.0, 0.0], [x, 0.0, 0.0]];
+        told(bodies, &[], [&half, &Motion::Rest], MovingDirection::Space(X))
+    };
+    assert!(beside(1.0_f64.next_up()).is_right());
+    assert!(matches!(beside(1.0), Verdict::Unchecked(_)), "{:?}", beside(1.0));
+    assert!(beside(1.0_f64.next_down()).is_wrong());
+}
+
+#[test]
 fn one_turn_has_no_margin_whichever_body_turns() {
     let points = |gap: f64, motions: [&Motion; 2]| {
         told([[1.0 + gap, 0.0, 0.0], X], &[], motions, MovingDirection::Space([-1.0, 0.0, 0.0]))
