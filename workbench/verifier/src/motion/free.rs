@@ -16,7 +16,7 @@ const MOST_BISECTIONS: usize = 12;
 pub(super) const MOST_WORK: u64 = 20_000_000;
 
 /// The number of bits of a generator's product that make it take as long again.
-const BITS_A_STEP: usize = 512;
+const BITS_A_STEP: usize = 640;
 
 /// The note where that work is used up.
 const TOO_MUCH: &str = "the gaps of the intervals take too much exact work";

@@ -144,7 +144,7 @@ impl Seen {
     }
 }
 
-/// The bound from above of how far points of both bodies together are off their places, in units of 2^-128.
+/// The bound from above of how far points of both bodies together are off their places, in units of 2^-192.
 pub(super) fn displacement([first, second]: [&Solid; 2], [a, b]: [&Stretch; 2]) -> IBig {
     &first.reach * a.angle_off() + &second.reach * b.angle_off()
 }

@@ -16,7 +16,7 @@ pub(super) struct Stretch {
     pub(super) arm: Vector,
     /// W.
     pub(super) weight: IBig,
-    /// The bound of the angle at either end, in units of 2^-96.
+    /// The bound of the angle at either end, in units of 2^-160.
     pub(super) ends_off: [IBig; 2],
     /// By how much the angle between the ends may be farther off.
     pub(super) chord: IBig,
@@ -25,7 +25,7 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// The bound of the angle, in units of 2^-96.
+    /// The bound of the angle, in units of 2^-160.
     pub(super) fn angle_off(&self) -> IBig {
         self.end_off() + &self.chord
     }
