@@ -30,7 +30,7 @@ use std::io;
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue};
-use clap::{CommandFactory, Parser};
+use clap::{CommandFactory, FromArgMatches};
 
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
@@ -40,10 +40,11 @@ const READER_GONE: u8 = 141;
 
 /// Runs the program with the given command line, its name included.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(arguments) {
+    let parsed = with_negative_numbers(Cli::command()).try_get_matches_from(arguments);
+    let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(message) => {
-            let message = nearest_first(message);
+            let message = without_vain_tip(nearest_first(message));
             let wrong = message.use_stderr();
             // A reader that has gone away needs no message.
             let _ = message.print();
@@ -86,6 +87,28 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Completions(options) => commands::shell::completions(options, Cli::command()),
         Command::Man(options) => commands::shell::man(options, Cli::command()),
     }
+}
+
+/// The command line with options that take a negative number for a value and then refuse it, rather than for an option
+/// that there is not.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let command = command.mut_args(|argument| match argument.get_num_args().is_none_or(|count| count.takes_values()) {
+        true if argument.get_long().is_some() => argument.allow_negative_numbers(true),
+        _ => argument,
+    });
+    subcommands.iter().fold(command, |command, name| command.mut_subcommand(name, with_negative_numbers))
+}
+
+/// A complaint about a value such as `-1,2`, taken for an option that there is not, with the way to write it.
+fn without_vain_tip(mut message: clap::Error) -> clap::Error {
+    let is_number =
+        |word: &String| word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    if matches!(message.get(ContextKind::InvalidArg), Some(ContextValue::String(word)) if is_number(word)) {
+        let tip = "an equals sign stands before a value that begins with a minus, as in '--option=-1'";
+        message.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.to_owned().into()]));
+    }
+    message
 }
 
 /// A complaint about a command that there is not, with the commands of similar names the most similar first.

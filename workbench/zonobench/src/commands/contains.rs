@@ -11,7 +11,7 @@ use super::asking::PointOptions;
 use super::placing::{Placing, describe};
 use super::table::{Table, in_full, with_six_digits};
 use super::usage::question_name;
-use super::usage::{check_inputs, check_names};
+use super::usage::{check_inputs, check_names, read_telling};
 use crate::input::{Format, OptionNames, Placed, Reading, Wanted};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
@@ -54,7 +54,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let file = options.placing.read(&options.body, options.body_format, OptionNames::BESIDE_POINTS)?;
-    let reading = source.read(Wanted::Any)?;
+    let reading = read_telling(&source, Wanted::Any)?;
     reading.check_dimension(&options.points, file.placed.dimension())?;
 
     let name = format!("{} and {}", question_name(&options.body), question_name(&options.points));

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use batch::did_you_mean;
 use thiserror::Error;
 
+use crate::input::{InputError, PointSource, Reading, Wanted, on_one_line};
+
 /// Why a command line that parses makes no sense.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
@@ -115,6 +117,15 @@ pub(super) fn check_names(results: &[(&'static str, Option<&PathBuf>)]) -> Resul
 pub(crate) fn tell(line: &str) {
     // A person who has gone away needs no message.
     let _ = writeln!(io::stderr(), "zonobench: {line}");
+}
+
+/// Reads points, and tells in one line which of their numbers doubles do not hold.
+pub(super) fn read_telling(source: &PointSource, wanted: Wanted) -> Result<Reading, InputError> {
+    let reading = source.read(wanted)?;
+    if let Some(losses) = &reading.losses {
+        tell(&on_one_line(&format!("{}: {losses}", source.file.display())));
+    }
+    Ok(reading)
 }
 
 /// Refuses inputs of which more than one is standard input.

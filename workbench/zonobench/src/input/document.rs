@@ -23,6 +23,7 @@ pub(super) fn points(
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
     let document = parse(file, content)?;
+    geojson::refuse_topology(file, &document)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
         (None, Some(rows)) => (rows, "points".to_owned()),
@@ -31,8 +32,10 @@ pub(super) fn points(
         }
         (None, None) => {
             let frame = Frame::of(&document);
-            let table = frame.map(|frame| frame.points(file, columns, wanted, skipping)).transpose()?;
-            if let Some(reading) = table.flatten() {
+            if let Some(frame) = frame
+                && let Some(mut reading) = frame.points(file, columns, wanted, skipping)?
+            {
+                reading.left_out.extend(other_fields(file, &document, |name| frame.holds(name))?);
                 return Ok(reading);
             }
             let problem = Problem::Shape(format!(
@@ -42,7 +45,7 @@ pub(super) fn points(
             return Err(problem.at(file, Place::File));
         }
     };
-    let others = other_fields(file, &document)?;
+    let others = other_fields(file, &document, |name| name == "points")?;
     let mut choice = Choice { columns, wanted, width: None, names: Vec::new(), places: Vec::new() };
     let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
@@ -69,10 +72,10 @@ pub(super) fn points(
     Ok(Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out)))
 }
 
-/// The fields beside the list of points, in words; one that could change the points is refused by name.
-fn other_fields(file: &Path, document: &Tree) -> Result<Vec<String>, InputError> {
+/// The fields beside those that hold the points, in words; one that could change the points is refused by name.
+fn other_fields(file: &Path, document: &Tree, holds_points: impl Fn(&str) -> bool) -> Result<Vec<String>, InputError> {
     let Tree::Object(fields) = document else { return Ok(Vec::new()) };
-    let others = || fields.iter().filter(|(name, _)| name != "points");
+    let others = || fields.iter().filter(|(name, _)| !holds_points(name));
     if let Some((name, _)) = others().find(|(name, value)| could_change_points(name, value)) {
         let problem = "this field could change the points, and it is not read; leave out what says nothing about them";
         return Err(Problem::Shape(problem.to_owned()).at(file, Place::Path(name.clone())));
@@ -183,7 +186,7 @@ mod tests {
             Ok(vec![[1.0, 2.0], [3.0, 4.0]])
         );
         let topology = read(r#"{"type":"Topology","arcs":[]}"#, None).expect_err("not read");
-        assert!(topology.contains("found an object"), "{topology}");
+        assert!(topology.contains("is TopoJSON, which is not read"), "{topology}");
     }
 
     #[test]
@@ -241,6 +244,14 @@ mod tests {
             let complaint = read(&format!("{{\"points\":[[1,2],[3,4]],{field}}}"), None).expect_err(field);
             assert!(complaint.starts_with(&refused), "{complaint}");
         }
+        for table in [r#""columns":["x","y"],"data":[[1,2],[3,4]]"#, r#""x":[1,3],"y":[2,4]"#] {
+            for field in [r#""offset":[5,5]"#, r#""scale":[2,2]"#] {
+                let complaint = read(&format!("{{{table},{field}}}"), None).expect_err(field);
+                assert!(complaint.contains("this field could change the points"), "{complaint}");
+            }
+        }
+        let numbered = r#"{"columns":["x","y"],"index":[0,1],"data":[[1,2],[3,4]],"name":"n"}"#;
+        assert_eq!(read(numbered, None), Ok(vec![[1.0, 2.0], [3.0, 4.0]]));
         let content = br#"{"name":"n","points":[[1,2]]}"#;
         let reading = points(Path::new("p.json"), content, None, Wanted::Any, &mut Skipping::default());
         assert_eq!(reading.expect("a point").in_words().as_deref(), Some("1, 2; left out: the field name"));

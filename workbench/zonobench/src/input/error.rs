@@ -1,5 +1,6 @@
 //! Faults of a data file, each as one line that names the file and the place.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
@@ -39,9 +40,18 @@ impl Place {
     fn prefix(&self) -> String {
         match self {
             Self::File => String::new(),
-            Self::Line(line) => format!("line {line}: "),
-            Self::Cell { line, column } => format!("line {line}, column {column}: "),
-            Self::Path(path) => format!("{path}: "),
+            place => format!("{place}: "),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => f.write_str("the file"),
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Cell { line, column } => write!(f, "line {line}, column {column}"),
+            Self::Path(path) => f.write_str(path),
         }
     }
 }
@@ -85,6 +95,19 @@ pub enum Problem {
     /// The extension is that of a known format that is not read, and whose content no other reader takes.
     #[error("files that end in .{0} are not read; export the points as CSV, or the mesh as STL or PLY")]
     ForeignFormat(String),
+    /// The first bytes are those of a known format that is not read.
+    #[error("is {0}, which is not read; export the points as CSV, or the mesh as STL or PLY")]
+    ForeignContent(String),
+    /// The content is that of another format than the one in which it is to be read.
+    #[error("holds {found}, not {named}: {option} {found} reads it as such, and so does a name that ends in .{found}")]
+    OtherFormat {
+        /// The format of the content.
+        found: String,
+        /// The format that the name or an option tells.
+        named: String,
+        /// The option that names the format of the file.
+        option: &'static str,
+    },
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
@@ -172,7 +195,7 @@ pub enum Problem {
     /// The first row may be a header or data: the chosen cells are numbers, another one is text above a number.
     #[error(
         "'{text}' stands beside numbers and above one; if this line is a header, --skip {skip} leaves it out, and \
-         --skip {} reads it as data", skip - 1
+         --no-header reads it as data"
     )]
     HeaderOrData {
         /// The text.
@@ -182,8 +205,8 @@ pub enum Problem {
     },
     /// The first row is 0, 1, 2, … in whole numbers, as other rows are.
     #[error(
-        "the first row ({row}) may number the columns or be a point; --skip {skip} leaves it out, and --skip {} reads \
-         it as data", skip - 1
+        "the first row ({row}) may number the columns or be a point; --skip {skip} leaves it out, and --no-header \
+         reads it as data"
     )]
     NumbersOrData {
         /// The cells.

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::columns::Columns;
 use super::error::{InputError, Place, Problem};
+use super::geojson::MOVED_BY;
 use super::names;
 use super::parsed::number;
 use super::points::{Points, Wanted};
@@ -43,6 +44,15 @@ impl<'a> Frame<'a> {
         let names = fields.iter().map(|(name, _)| name.clone()).collect();
         let cells = Cells::Columns(fields.iter().map(|(_, column)| column).collect());
         is_table.then_some(Self { names, cells, rows })
+    }
+
+    /// Whether a field of the document is part of the table: the rows with their names and numbers, or a column. Two or
+    /// three numbers under the name of a move or a scale may be its coordinates rather than a column.
+    pub(super) fn holds(&self, name: &str) -> bool {
+        match self.cells {
+            Cells::Rows(_) => ["columns", "data", "index"].contains(&name),
+            Cells::Columns(_) => !((2..=3).contains(&self.rows) && MOVED_BY.contains(&name)),
+        }
     }
 
     /// The columns of coordinates: the chosen ones, or those with their names; `None` if there are no such names.

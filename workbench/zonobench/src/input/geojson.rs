@@ -30,6 +30,20 @@ const NAMES: [&[&str]; 3] = [
     &["alt", "altitude", "z", "height", "elevation"],
 ];
 
+/// Members that move or scale the positions in kin of GeoJSON, and that GeoJSON itself does not have.
+pub(super) const MOVED_BY: [&str; 10] = [
+    "transform",
+    "transformation",
+    "quantization",
+    "scale",
+    "translate",
+    "translation",
+    "offset",
+    "shift",
+    "rotation",
+    "pose",
+];
+
 /// Reads the positions of a GeoJSON object: longitude and latitude, or the chosen numbers.
 pub(super) fn points(
     file: &Path,
@@ -37,7 +51,18 @@ pub(super) fn points(
     columns: Option<&Columns>,
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
-    points_of(file, &parse(file, content)?, columns, skipping)
+    let document = parse(file, content)?;
+    refuse_topology(file, &document)?;
+    points_of(file, &document, columns, skipping)
+}
+
+/// Refuses TopoJSON, whose positions are steps along arcs.
+pub(super) fn refuse_topology(file: &Path, document: &Tree) -> Result<(), InputError> {
+    if document.field("type").and_then(Tree::text) != Some("Topology") {
+        return Ok(());
+    }
+    let problem = "is TopoJSON, which is not read; convert it to GeoJSON";
+    Err(Problem::Shape(problem.to_owned()).at(file, Place::File))
 }
 
 /// Whether a document has a `type` of GeoJSON.
@@ -110,6 +135,11 @@ fn object(value: &Tree, path: String, met: &mut Positions) -> Result<(), Misplac
     let below = |field: &str| {
         if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
     };
+    let moving = MOVED_BY.into_iter().find(|name| value.field(name).is_some_and(|value| *value != Tree::Null));
+    if let Some(name) = moving {
+        let problem = "this field could change the points, and it is not read; leave out what says nothing about them";
+        return Err((Problem::Shape(problem.to_owned()), below(name)));
+    }
     let members = |field: &'static str| match value.field(field) {
         Some(Tree::List(members)) => Ok(members),
         _ => Err((Problem::Shape(format!("a {kind} needs a list `{field}`")), path.clone())),
@@ -253,6 +283,26 @@ mod tests {
                 {"type":"LineString","coordinates":[[7,8]]}]}}]}"#;
         let expected = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [2.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]];
         assert_eq!(read(content), Ok(expected));
+    }
+
+    #[test]
+    fn members_that_move_the_positions_are_refused_by_name() {
+        for name in MOVED_BY {
+            let moving = format!(r#""{name}":{{"scale":[2,2]}}"#);
+            let refused = |complaint: String, path: &str| {
+                let expected = format!("p.geojson: {path}{name}: this field could change the points");
+                assert!(complaint.starts_with(&expected), "{complaint}");
+            };
+            let point = r#"{"type":"Point","coordinates":[1,2]}"#;
+            let whole = format!(r#"{{"type":"GeometryCollection",{moving},"geometries":[{point}]}}"#);
+            refused(read(&whole).expect_err("moved"), "");
+            let inner = format!(r#"{{"type":"Feature","geometry":{{"type":"Point",{moving},"coordinates":[1,2]}}}}"#);
+            refused(read(&inner).expect_err("moved"), "geometry.");
+            let property = format!(r#"{{"type":"Feature","properties":{{{moving}}},"geometry":{point}}}"#);
+            assert_eq!(read(&property), Ok(vec![[1.0, 2.0]]), "a property of what stands at the position");
+        }
+        let topology = r#"{"type":"Topology","transform":{"scale":[1,1]},"objects":{},"arcs":[[[0,0],[1,1]]]}"#;
+        assert_eq!(read(topology), Err("p.geojson: is TopoJSON, which is not read; convert it to GeoJSON".to_owned()));
     }
 
     #[test]

@@ -22,6 +22,7 @@ mod number;
 mod parsed;
 mod points;
 mod reading;
+mod signature;
 mod table;
 
 pub use self::points::MAX_POINTS;
@@ -37,6 +38,7 @@ pub use format::Format;
 pub use points::{Points, Wanted};
 pub use reading::Reading;
 
+use self::number::in_json;
 use self::reading::Skipping;
 use crate::digest::sha256;
 
@@ -72,6 +74,7 @@ impl PointSource {
         let file = &self.file;
         let format = Format::of_file(file, self.format)?;
         let content = bytes::read_limited(file)?;
+        signature::check(format, &content, "--format").map_err(|problem| problem.at(file, Place::File))?;
         let mut skipping = Skipping::new(self.skip_nan == Some(true));
         let columns = self.columns.as_ref();
         let mut reading = match format {
@@ -86,6 +89,9 @@ impl PointSource {
         }
         .map_err(|error| self.with_advice(error))?;
         reading.left_out.extend(skipping.in_words());
+        if matches!(format, Format::Json | Format::Geojson) {
+            reading.losses = in_json::losses(&content).in_words();
+        }
         if reading.points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));
         }

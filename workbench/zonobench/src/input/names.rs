@@ -102,6 +102,11 @@ pub(super) fn are_coordinates(names: &[String]) -> bool {
 const LABELS: [&str; 13] =
     ["id", "index", "idx", "fid", "oid", "objectid", "rowid", "row", "rownames", "uuid", "weight", "weights", "w"];
 
+/// Whether a name is that of a column that numbers or weighs the rows of a table; capitals do not matter.
+pub(super) fn is_label(name: &str) -> bool {
+    LABELS.iter().any(|label| label.eq_ignore_ascii_case(name))
+}
+
 /// The way in which the named columns of vectors are put in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
@@ -121,6 +126,7 @@ pub(super) struct Vectors {
 impl Vectors {
     /// The columns that hold no coordinates, and the order of the others if it is not that of the file, in words.
     pub(super) fn notes(&self, names: &[String]) -> Vec<String> {
+        let used: Vec<String> = self.places.iter().map(|&place| names[place].clone()).collect();
         let is_left_out = |place: &usize| !self.places.contains(place);
         let others = (0..names.len()).filter(is_left_out);
         let mut notes: Vec<String> = others.map(|place| format!("left out: the column {}", names[place])).collect();
@@ -128,8 +134,33 @@ impl Vectors {
             let order: Vec<&str> = self.places.iter().map(|&place| names[place].as_str()).collect();
             notes.push(format!("the columns are read in the order {}", order.join(", ")));
         }
+        notes.extend(in_another_order(&used));
         notes
     }
+}
+
+/// The remark on columns under names that count down, such as `b, a` or `col2, col1`, and that are no names of
+/// coordinates: they are read as they stand.
+pub(super) fn in_another_order(names: &[String]) -> Option<String> {
+    let lower: Vec<String> = names.iter().map(|name| name.trim().to_lowercase()).collect();
+    let is_filled = lower.len() > 1 && lower.iter().all(|name| !name.is_empty());
+    if !is_filled || are_coordinates(names) {
+        return None;
+    }
+    // The letters that all names begin with, digits apart.
+    let letters = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
+    let number = |name: &str| name[letters(name).len()..].parse::<u64>().ok();
+    let is_single = lower.iter().all(|name| name.chars().count() == 1);
+    let has_one_stem = lower.iter().all(|name| letters(name) == letters(&lower[0]));
+    let places: Vec<u64> = match (is_single, has_one_stem) {
+        (true, _) => {
+            lower.iter().filter_map(|name| name.chars().next()).map(|letter| u64::from(u32::from(letter))).collect()
+        }
+        (_, true) => lower.iter().filter_map(|name| number(name)).collect(),
+        _ => return None,
+    };
+    let is_in_order = places.is_sorted() || places.len() != names.len();
+    (!is_in_order).then(|| format!("the columns {} are read in the order in which they stand", names.join(", ")))
 }
 
 /// The columns of vectors under these names: none that numbers or weighs the rows, and those of coordinates in their
@@ -152,8 +183,8 @@ pub(super) fn of_vectors(names: &[String], order: Order) -> Result<Vectors, Prob
     let is = |name: &str, other: &str| name.eq_ignore_ascii_case(other);
     // A column w beside u and v is a coordinate.
     let is_velocity = ["u", "v"].iter().all(|name| position(names, name).is_some());
-    let is_label = |name: &str| LABELS.iter().any(|label| is(name, label)) && !(is(name, "w") && is_velocity);
-    let places: Vec<usize> = (0..names.len()).filter(|&place| !is_label(&names[place])).collect();
+    let is_left_out = |name: &str| is_label(name) && !(is(name, "w") && is_velocity);
+    let places: Vec<usize> = (0..names.len()).filter(|&place| !is_left_out(&names[place])).collect();
     Ok(Vectors { places: if places.is_empty() { (0..names.len()).collect() } else { places } })
 }
 

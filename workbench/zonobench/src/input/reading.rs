@@ -21,6 +21,8 @@ pub struct Reading {
     pub left_out: Vec<String>,
     /// Other things to know about the reading, such as decimal commas.
     pub notes: Vec<String>,
+    /// The numbers that were rounded though they are whole, or read as zero though they are not, in words.
+    pub losses: Option<String>,
     /// The format of the file.
     pub format: Option<Format>,
     /// The SHA-256 of the file.
@@ -30,8 +32,8 @@ pub struct Reading {
 impl Reading {
     /// Points from the given columns, of a file that is yet to be named.
     pub(super) fn of(points: Points, (columns, left_out): (Vec<Column>, Vec<String>)) -> Self {
-        let (faces, notes) = (Vec::new(), Vec::new());
-        Self { points, faces, columns, left_out, notes, format: None, sha256: String::new() }
+        let (faces, notes, losses) = (Vec::new(), Vec::new(), None);
+        Self { points, faces, columns, left_out, notes, losses, format: None, sha256: String::new() }
     }
 
     /// Points of a file that has no columns.

@@ -163,3 +163,114 @@ fn standard_input_is_a_file_named_minus() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     assert!(outcome.stdout.contains("3 in -"), "{}", outcome.stdout);
 }
+
+/// Standard error has one line for the numbers that doubles do not hold, whatever reads them; the work goes on.
+#[test]
+fn numbers_that_doubles_do_not_hold_are_told_on_standard_error() {
+    let triangle = [["0", "0"], ["9007199254740993", "1"], ["5", "1e-400"]];
+    let rows = |open: &str, between: &str, close: &str, end: &str| -> String {
+        triangle.iter().map(|[x, y]| format!("{open}{x}{between}{y}{close}{end}")).collect()
+    };
+    let list = rows("[", ",", "]", ",");
+    let list = list.trim_end_matches(',');
+    let off = format!("OFF\n3 0 0\n{}", rows("", " ", " 2", "\n"));
+    let contents = [
+        ("p.csv", rows("", ",", "", "\n")),
+        ("p.xyz", rows("", " ", " 2", "\n")),
+        ("p.json", format!("[{list}]")),
+        ("p.geojson", format!(r#"{{"type":"MultiPoint","coordinates":[{list}]}}"#)),
+        ("p.obj", rows("v ", " ", " 2", "\n")),
+        ("p.off", off),
+    ];
+    let rounded = "1 whole number has more digits than a double holds and is rounded (9007199254740993, line ";
+    for (name, content) in &contents {
+        let (outcome, _) = enclose(name, content.as_bytes(), &["--directions", "axes"]);
+        assert_eq!(outcome.status, 0, "{name}: {}", outcome.stderr);
+        let lines: Vec<&str> = outcome.stderr.lines().collect();
+        assert_eq!(lines.len(), 1, "{name}: {}", outcome.stderr);
+        assert!(lines[0].starts_with(&format!("zonobench: {name}: {rounded}")), "{name}: {}", lines[0]);
+        assert!(
+            lines[0].contains("1 number is too small for a double and is read as 0 (1e-400, line "),
+            "{}",
+            lines[0]
+        );
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, content) in &contents[..3] {
+        fs::write(folder.path().join(name), content).expect("written");
+        if !name.ends_with("xyz") {
+            let outcome = run(folder.path(), &["inspect", name]);
+            assert!(outcome.stderr.contains(rounded), "{name}: {}", outcome.stderr);
+        }
+    }
+}
+
+/// A file of one format under the name of another is refused by the name of its own.
+#[test]
+fn contents_of_another_format_are_refused_by_their_name() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    for name in ["p.xyz", "p.csv", "p.txt"] {
+        let format = if name == "p.xyz" { "xyz" } else { "csv" };
+        let advice = "--format obj reads it as such, and so does a name that ends in .obj";
+        refused(name, obj, &[], &format!("{name}: holds obj, not {format}: {advice}"));
+    }
+    let (outcome, _) = enclose("p.xyz", obj.as_bytes(), &["--format", "obj"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let export = "which is not read; export the points as CSV, or the mesh as STL or PLY";
+    for (content, name) in [(&b"\x89HDF\r\n\x1a\n\0\0"[..], "HDF5"), (b"%PDF-1.4\n1,2\n", "PDF")] {
+        for file in ["p.csv", "p.json", "p.xyz"] {
+            refused(file, content, &[], &format!("{file}: is {name}, {export}"));
+        }
+    }
+    let topology = r#"{"type":"Topology","transform":{"scale":[1,1],"translate":[0,0]},"objects":{},"arcs":[]}"#;
+    for file in ["p.json", "p.geojson"] {
+        refused(file, topology, &[], &format!("{file}: is TopoJSON, which is not read; convert it to GeoJSON"));
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("z.csv"), "[[1,0],[0,1]]").expect("written");
+    fs::write(folder.path().join("v.csv"), obj).expect("written");
+    let json = run(folder.path(), &["inspect", "z.csv"]).stderr;
+    assert!(json.contains("holds json, not csv: --format json reads it as such"), "{json}");
+    let mesh = run(folder.path(), &["intersect", "z.csv", "v.csv", "--format", "json", "--format-b", "csv"]).stderr;
+    assert!(mesh.contains("v.csv: the format obj holds no zonotopes"), "{mesh}");
+}
+
+#[test]
+fn a_first_row_that_may_be_a_header_is_read_as_data_where_that_is_said() {
+    let content = "0,1,2\n3,4,5\n6,7,9\n";
+    let asked = "p.csv: line 1: the first row (0, 1, 2) may number the columns or be a point; --skip 1 leaves it out, \
+                 and --no-header reads it as data";
+    refused("p.csv", content, &[], asked);
+    let points = |option: &[&str]| {
+        let (outcome, _) = enclose("p.csv", content.as_bytes(), option);
+        let line = outcome.stdout.lines().find(|line| line.starts_with("points")).map(str::to_owned);
+        line.unwrap_or(outcome.stderr)
+    };
+    assert!(points(&["--no-header"]).contains("3 in p.csv"), "{}", points(&["--no-header"]));
+    assert!(points(&["--skip", "1"]).contains("2 in p.csv"));
+}
+
+/// A negative number is a wrong value and no option that there is not.
+#[test]
+fn negative_numbers_are_refused_as_values() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("z.csv"), "1,0\n0,1\n1,1\n").expect("written");
+    for (words, value) in [
+        (&["reduce", "z.csv", "--count", "-1"][..], "'-1' for '--count <K>'"),
+        (&["enclose", "z.csv", "--max-generators", "-1"], "'-1' for '--max-generators <K>'"),
+        (&["enclose", "z.csv", "--skip", "-1"], "'-1' for '--skip <N>'"),
+        (&["enclose", "z.csv", "--epsilon", "-0.5"], "'-0.5' for '--epsilon <EPSILON>'"),
+        (&["enclose", "z.csv", "--columns=-1,2"], "no column '-1'"),
+    ] {
+        let outcome = run(folder.path(), words);
+        assert!(outcome.stderr.contains(value), "{words:?}: {}", outcome.stderr);
+        assert!(!outcome.stderr.contains("tip:"), "{}", outcome.stderr);
+        assert_ne!(outcome.status, 0);
+    }
+    let outcome = run(folder.path(), &["enclose", "z.csv", "--columns", "-1,2"]);
+    assert!(
+        outcome.stderr.contains("an equals sign stands before a value that begins with a minus"),
+        "{}",
+        outcome.stderr
+    );
+}

@@ -84,7 +84,8 @@ impl Directions {
                 if found != dimension {
                     bail!("{}: directions with {found} coordinates for points with {dimension}", file.display());
                 }
-                let remarks = reading.remarks().map(|remarks| format!("{}: {remarks}", file.display()));
+                let remarks: Vec<String> = reading.remarks().into_iter().chain(reading.losses.clone()).collect();
+                let remarks = (!remarks.is_empty()).then(|| format!("{}: {}", file.display(), remarks.join("; ")));
                 return Ok((reading.points.rows().map(<[f64]>::to_vec).collect(), remarks));
             }
         };

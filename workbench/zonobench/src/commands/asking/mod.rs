@@ -14,7 +14,7 @@ use self::directions::{Directions, length};
 pub use self::points::PointOptions;
 pub(super) use self::request::Recorded;
 pub(crate) use self::request::{POINT_FIELDS, RecordError, field, record_points, recorded_points, truth};
-use super::usage::{Usage, tell};
+use super::usage::{Usage, read_telling, tell};
 use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
@@ -143,7 +143,7 @@ impl Asking {
             Some(Objective::Length | Objective::Volume) => Wanted::Any,
             None => Wanted::PlaneOrSpace,
         };
-        let reading = self.points.source(file)?.read(wanted)?;
+        let reading = read_telling(&self.points.source(file)?, wanted)?;
         let told = if reading.points.dimension() == 2 { Objective::Area } else { Objective::Length };
         Ok((reading, stated.unwrap_or(told)))
     }

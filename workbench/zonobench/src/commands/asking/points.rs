@@ -18,10 +18,12 @@ pub struct PointOptions {
     pub format: Option<Format>,
     /// The number of lines of a table to leave out at its start.
     ///
-    /// 1 leaves out a first line that holds other things than data; 0 says that a first line which might be taken for
-    /// such a line holds data.
+    /// 1 leaves out a first line that holds other things than data.
     #[arg(long, value_name = "N")]
     pub skip: Option<u64>,
+    /// The first line of a table, behind those that are left out, holds data where it might be taken for something else.
+    #[arg(long)]
+    pub no_header: bool,
     /// Leave out points of which a coordinate is missing, NaN or infinite, and say how many.
     #[arg(long)]
     pub skip_nan: bool,
@@ -34,7 +36,7 @@ impl PointOptions {
             file: file.to_path_buf(),
             format: self.format,
             columns: self.columns.clone(),
-            skip: self.skip,
+            skip: self.told_skip(),
             skip_nan: Some(self.skip_nan),
         };
         let Some(format) = source.known_format() else { return Ok(source) };
@@ -44,7 +46,15 @@ impl PointOptions {
         if self.skip.is_some() && !format.is_table() {
             return Err(Usage::not_applicable("--skip", "only tables have lines that are left out"));
         }
+        if self.no_header && !format.is_table() {
+            return Err(Usage::not_applicable("--no-header", "only tables have a header"));
+        }
         Ok(source)
+    }
+
+    /// The number of lines that are left out, where the caller said that the next one is data or how many they are.
+    pub(in crate::commands) fn told_skip(&self) -> Option<u64> {
+        self.skip.or(self.no_header.then_some(0))
     }
 
     /// These options, and for what they leave open those of `other`.
@@ -52,7 +62,8 @@ impl PointOptions {
         Self {
             columns: self.columns.clone().or_else(|| other.columns.clone()),
             format: self.format.or(other.format),
-            skip: self.skip.or(other.skip),
+            skip: self.told_skip().or(other.skip),
+            no_header: self.no_header || other.no_header,
             skip_nan: self.skip_nan || other.skip_nan,
         }
     }

@@ -89,7 +89,7 @@ fn insert_points(request: &mut Map<String, Value>, options: &PointOptions, readi
         };
         request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
     }
-    if let Some(skip) = options.skip {
+    if let Some(skip) = options.told_skip() {
         request.insert("skip".to_owned(), skip.into());
     }
     if options.skip_nan {
@@ -106,6 +106,7 @@ pub(crate) fn recorded_points(record: &Tree) -> Result<PointOptions, RecordError
         columns: field(record, "columns", columns)?,
         format: field(record, "format", |value| Format::from_str(value.text()?, false).ok())?,
         skip: field(record, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
+        no_header: false,
         skip_nan: field(record, "skip_nan", truth)?.unwrap_or(false),
     })
 }
@@ -179,7 +180,7 @@ mod tests {
         let points = Points::Plane(vec![[1.0, 2.0]]);
         let (faces, left_out, notes) = (Vec::new(), Vec::new(), Vec::new());
         let format = Some(Format::Csv);
-        let reading = Reading { points, faces, columns, left_out, notes, format, sha256: "ab".into() };
+        let reading = Reading { points, faces, columns, left_out, notes, losses: None, format, sha256: "ab".into() };
         asking.record(&reading, objective).expect("the axes are directions").to_string()
     }
 

@@ -12,7 +12,7 @@ use options::{Picture, SpacePoint, in_space};
 use super::Ending;
 use super::placing::{in_words, rounded_in_words};
 use super::usage::question_name;
-use super::usage::{Usage, check_inputs, check_names, tell};
+use super::usage::{Usage, check_inputs, check_names, read_telling, tell};
 use crate::input::{OptionNames, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
 
@@ -60,6 +60,12 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
         }
         if options.reading.skip.is_some() {
             return Err(Usage::not_applicable("--skip", "no lines of a zonotope are left out"));
+        }
+        if options.reading.no_header {
+            return Err(Usage::not_applicable(
+                "--no-header",
+                "a first row of generators that may be data is read as data",
+            ));
         }
         if options.reading.skip_nan {
             return Err(Usage::not_applicable("--skip-nan", "no generators of a zonotope are left out"));
@@ -111,7 +117,7 @@ fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
 }
 
 fn of_points(options: &Options, name: &str) -> anyhow::Result<String> {
-    let reading = options.reading.source(&options.file)?.read(Wanted::Any)?;
+    let reading = read_telling(&options.reading.source(&options.file)?, Wanted::Any)?;
     if let Some(remarks) = reading.remarks() {
         tell(&format!("{name}: {remarks}"));
     }

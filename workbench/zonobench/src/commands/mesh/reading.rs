@@ -7,6 +7,7 @@ use batch::json::vector_to_json;
 use batch::placement::Placement;
 use serde_json::{Value, json};
 
+use crate::commands::usage::{read_telling, tell};
 use crate::input::{Format, PointSource, Points, Wanted};
 
 /// A mesh that was read.
@@ -20,7 +21,10 @@ impl Read {
     /// Reads the vertices of a file and its faces, cut into triangles.
     pub(super) fn of(file: &Path, format: Option<Format>, pose: Option<Placement>) -> anyhow::Result<Self> {
         let source = PointSource { format, ..PointSource::of_file(file.to_path_buf()) };
-        let reading = source.read(Wanted::Any)?;
+        let reading = read_telling(&source, Wanted::Any)?;
+        if let Some(remarks) = reading.remarks() {
+            tell(&format!("{}: {remarks}", file.display()));
+        }
         let Points::Space(vertices) = &reading.points else {
             bail!("{}: holds no mesh of space", file.display());
         };

@@ -15,7 +15,7 @@ use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
-use crate::commands::usage::tell;
+use crate::commands::usage::{read_telling, tell};
 use crate::digest::sha256;
 use crate::input::{InputError, PointSource, Points, Wanted};
 
@@ -251,7 +251,7 @@ fn input(
         if !takes(sorts, Sort::Points) {
             return Err(refused(format!("`{}` takes generated families only, and no files of points", base.id)));
         }
-        let reading = PointSource::of_file(file).read(Wanted::Any)?;
+        let reading = read_telling(&PointSource::of_file(file), Wanted::Any)?;
         if let Some(remarks) = reading.remarks() {
             tell(&format!("{wanted}: {remarks}"));
         }

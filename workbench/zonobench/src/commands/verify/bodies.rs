@@ -11,7 +11,7 @@ use super::about::{AboutData, NO_RECORD, OTHER_DATA, cannot_be_asked};
 use crate::commands::asked::{About, Recorded, zonotope_of};
 use crate::commands::asking::{Asking, PointOptions};
 use crate::commands::usage::question_name;
-use crate::commands::usage::{Usage, tell};
+use crate::commands::usage::{Usage, read_telling, tell};
 use crate::input::{BodySource, OptionNames, Reading, Wanted};
 
 /// The note where two files are those of the answer, but in the other order.
@@ -99,7 +99,7 @@ fn ask_again(
                 placed.question()
             });
         } else {
-            let reading = asking.points.or(&record.points).source(file)?.read(Wanted::Any)?;
+            let reading = read_telling(&asking.points.or(&record.points).source(file)?, Wanted::Any)?;
             hashes.push(reading.sha256.clone());
             points = Some(reading);
         }

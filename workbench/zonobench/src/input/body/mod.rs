@@ -17,7 +17,8 @@ use std::path::PathBuf;
 use super::bytes::read_limited;
 use super::document::parse;
 use super::error::{InputError, Place, Problem, on_one_line};
-use super::{Format, npy, table};
+use super::number::in_json;
+use super::{Format, npy, signature, table};
 use crate::digest::sha256;
 
 pub use document::body_of_answer;
@@ -57,6 +58,7 @@ impl BodySource {
     pub fn read(&self, tell: impl Fn(&str)) -> Result<(Placed, Origin), InputError> {
         let format = self.told_format().map_err(|problem| problem.at(&self.file, Place::File))?;
         let content = read_limited(&self.file)?;
+        self.check_content(format, &content)?;
         let mut tell = |line: &str| tell(&on_one_line(&format!("{}: {line}", self.file.display())));
         let placed = self.placed(format, &content, &mut tell)?;
         Ok((placed, Origin { format, sha256: sha256(&content) }))
@@ -102,16 +104,33 @@ impl BodySource {
                 let body = self.layout.body(file, &rows.names, rows.numbers, self.options, &mut tell)?;
                 Ok(Placed { body, pose: None })
             }
-            Format::Json => document::placed(file, &parse(file, content)?, self.layout, self.options, &mut tell),
-            other => {
-                let problem = format!(
-                    "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \
-                     body.json` makes one around its points",
-                    file.display()
-                );
-                Err(Problem::Shape(problem).at(file, Place::File))
+            Format::Json => {
+                in_json::losses(content).in_words().iter().for_each(|losses| tell(losses));
+                document::placed(file, &parse(file, content)?, self.layout, self.options, &mut tell)
             }
+            other => Err(self.holds_none(other)),
         }
+    }
+
+    /// Refuses a content that is of another format than the one in which it is to be read.
+    fn check_content(&self, format: Format, content: &[u8]) -> Result<(), InputError> {
+        let found = signature::other(format, content);
+        match found.map_err(|problem| problem.at(&self.file, Place::File))? {
+            Some(found) if !matches!(found, Format::Csv | Format::Json | Format::Npy) => Err(self.holds_none(found)),
+            _ => signature::check(format, content, self.options.format)
+                .map_err(|problem| problem.at(&self.file, Place::File)),
+        }
+    }
+
+    /// The complaint about a format of points alone.
+    fn holds_none(&self, format: Format) -> InputError {
+        let file = &self.file;
+        let problem = format!(
+            "the format {format} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \
+             body.json` makes one around its points",
+            file.display()
+        );
+        Problem::Shape(problem).at(file, Place::File)
     }
 }
 

@@ -7,6 +7,7 @@ use crate::input::bytes::read_limited;
 use crate::input::document::parse;
 use crate::input::error::{InputError, Place, Problem, on_one_line};
 use crate::input::names::Order;
+use crate::input::number::in_json;
 use crate::input::{Format, npy, table};
 use batch::json::Tree;
 
@@ -24,21 +25,25 @@ impl PoseDocument {
     /// Remarks on the reading are told.
     pub fn read(file: &Path, tell: impl Fn(&str)) -> Result<Self, InputError> {
         let content = read_limited(file)?;
+        let told = |note: &String| tell(&on_one_line(&format!("{}: {note}", file.display())));
         match Format::of_extension(file) {
             Some(Format::Csv) => {
                 let rows = table::rows(file, &content, Order::Matrix)?;
-                rows.notes.iter().for_each(|note| tell(&on_one_line(&format!("{}: {note}", file.display()))));
+                rows.notes.iter().for_each(told);
                 Ok(Self::Rows(rows.numbers))
             }
             Some(Format::Npy) => {
                 let rows = npy::rows(file, &content, Order::Matrix)?;
-                rows.notes.iter().for_each(|note| tell(&on_one_line(&format!("{}: {note}", file.display()))));
+                rows.notes.iter().for_each(told);
                 Ok(Self::Rows(rows.numbers))
             }
-            None | Some(Format::Json) => match parse(file, &content)? {
-                list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
-                other => Ok(Self::Object(other)),
-            },
+            None | Some(Format::Json) => {
+                in_json::losses(&content).in_words().iter().for_each(told);
+                match parse(file, &content)? {
+                    list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
+                    other => Ok(Self::Object(other)),
+                }
+            }
             Some(other) => {
                 let problem = format!("the format {other} holds no poses; csv, json and npy do");
                 Err(Problem::Shape(problem).at(file, Place::File))

@@ -1,7 +1,7 @@
 //! The content of a mesh, as the readers of all formats collect it.
 
 use super::super::error::{Place, Problem};
-use super::super::number;
+use super::super::number::{self, Losses};
 use super::super::points::push_limited;
 use super::super::reading::Skipping;
 
@@ -16,6 +16,8 @@ pub(super) struct Mesh {
     pub(super) left_out: Vec<String>,
     /// Other things to know about the reading.
     pub(super) notes: Vec<String>,
+    /// The numbers of a text that doubles do not hold.
+    pub(super) losses: Losses,
 }
 
 impl Mesh {
@@ -64,16 +66,25 @@ impl Mesh {
 /// The fault, and its place in the file.
 pub(super) type Misplaced = (Problem, Place);
 
-/// The coordinates that three words on a line spell, the first in the given column, or why a coordinate is missing; a
-/// broken number is an error, and comes before a missing one.
-pub(super) fn on_line(words: [&[u8]; 3], column: u64, line: u64) -> Result<Result<[f64; 3], Problem>, Misplaced> {
+/// The coordinates that three words of a line spell, in these columns, or why a coordinate is missing; a broken
+/// number is an error, and comes before a missing one. The losses take notice of them.
+pub(super) fn on_line(
+    words: [&[u8]; 3],
+    columns: [u64; 3],
+    line: u64,
+    losses: &mut Losses,
+) -> Result<Result<[f64; 3], Problem>, Misplaced> {
     let mut read = [0.0; 3];
     let mut missing = None;
-    for ((column, slot), word) in (column..).zip(&mut read).zip(words) {
+    for ((column, slot), word) in columns.into_iter().zip(&mut read).zip(words) {
+        let place = Place::Cell { line, column };
         match number::number(word) {
-            Ok(number) => *slot = number,
+            Ok(number) => {
+                losses.note(word, number, || place);
+                *slot = number;
+            }
             Err(problem) if problem.is_missing() => missing = missing.or(Some(problem)),
-            Err(problem) => return Err((problem, Place::Cell { line, column })),
+            Err(problem) => return Err((problem, place)),
         }
     }
     Ok(missing.map_or(Ok(read), Err))

@@ -9,6 +9,8 @@ mod stl;
 mod words;
 
 use self::content::Mesh;
+pub(super) use self::obj::Keyword;
+pub(super) use self::stl::binary_length as binary_stl_length;
 use std::path::Path;
 
 use super::Format;
@@ -30,8 +32,13 @@ pub(super) fn points(
         _ => off::read,
     };
     let mesh = read(content, skipping).map_err(|(problem, place)| problem.at(file, place))?;
-    let Mesh { vertices, faces, left_out, notes } = mesh.finish();
-    Ok(Reading { faces, notes, ..Reading::without_columns(Points::Space(vertices), left_out) })
+    let Mesh { vertices, faces, left_out, notes, losses } = mesh.finish();
+    Ok(Reading {
+        faces,
+        notes,
+        losses: losses.in_words(),
+        ..Reading::without_columns(Points::Space(vertices), left_out)
+    })
 }
 
 #[cfg(test)]

@@ -120,7 +120,7 @@ fn mesh_of_words(words: &[Numbered], counts: &Counts, skipping: &mut Skipping) -
     let (vertices, mut rest) = words.split_at(counts.vertices * width);
     for vertex in vertices.chunks_exact(width.max(1)) {
         let line = vertex[0].0;
-        let read = on_line([vertex[0].1, vertex[1].1, vertex[2].1], 1, line)?;
+        let read = on_line([vertex[0].1, vertex[1].1, vertex[2].1], [1, 2, 3], line, &mut mesh.losses)?;
         mesh.push(read, skipping, |number| vertex_on_line(number, line))?;
     }
     while let Some((&(line, first), others)) = rest.split_first() {
@@ -147,7 +147,8 @@ fn mesh_of_lines(body: &[Numbered], counts: &Counts, skipping: &mut Skipping) ->
             return Err((broken("OFF", "a vertex has three coordinates"), place));
         };
         wider += usize::from(counts.width == Some(3) && !more.is_empty());
-        mesh.push(on_line([x, y, z], 1, line)?, skipping, |number| vertex_on_line(number, line))?;
+        let read = on_line([x, y, z], [1, 2, 3], line, &mut mesh.losses)?;
+        mesh.push(read, skipping, |number| vertex_on_line(number, line))?;
     }
     let rest = &body[counts.vertices..];
     for index in 0..counts.faces {

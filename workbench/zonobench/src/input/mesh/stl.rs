@@ -32,7 +32,7 @@ pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misp
 }
 
 /// The length of a binary file that counts so many triangles. Its header may be any words, even those of a text.
-fn binary_length(content: &[u8]) -> Option<u64> {
+pub(in crate::input) fn binary_length(content: &[u8]) -> Option<u64> {
     let count = content.get(HEADER..HEADER + 4)?.try_into().map(u32::from_le_bytes).ok()?;
     Some(HEADER as u64 + 4 + u64::from(count) * TRIANGLE as u64)
 }
@@ -115,7 +115,7 @@ fn facet(
         let ends_at = words.line();
         let mut next = || words.next().ok_or_else(|| (broken("STL", "ends within a vertex"), Place::Line(ends_at)));
         let coordinates = [next()?, next()?, next()?];
-        *slot = on_line(coordinates, 1, words.line())?;
+        *slot = on_line(coordinates, [1, 2, 3], words.line(), &mut corners.mesh.losses)?;
     }
     for ends in ["loop", "facet"] {
         match words.next() {

@@ -1,3 +1,7 @@
+//! Meshes of every format, whole and broken.
+
+mod declared;
+
 use std::path::Path;
 
 use super::{Format, Points, Reading, Skipping};

@@ -43,7 +43,12 @@ pub(super) fn points(
         }
         points.push(&point[..chosen.len()]).map_err(|problem| problem.at(file, Place::File))?;
     }
-    Ok(Reading::of(points, columns_of(&array.names(), &chosen)))
+    let mut reading = Reading::of(points, columns_of(&array.names(), &chosen));
+    if columns.is_none() {
+        let names = array.names();
+        reading.notes.extend(names::in_another_order(&chosen.iter().map(|&c| names[c].clone()).collect::<Vec<_>>()));
+    }
+    Ok(reading)
 }
 
 /// Reads the rows of an array, with the names of the columns, none of which an array without records has. Fields that

@@ -16,12 +16,12 @@ use csv::ByteRecord;
 use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
-use self::start::{RowInDoubt, Start, Use};
+use self::start::{LAST_ELEMENT, RowInDoubt, Start, Use};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::names::Order;
-use super::number::is_number;
+use super::number::{Losses, is_number};
 use super::points::push_limited;
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
@@ -113,13 +113,14 @@ struct Table<'a> {
     file: &'a Path,
     text: &'a Text<'a>,
     decimals: Decimals,
+    losses: Losses,
     /// The cells of a row, an empty one after a trailing separator apart.
     width: usize,
 }
 
 impl<'a> Table<'a> {
     fn new(file: &'a Path, text: &'a Text<'a>) -> Self {
-        Self { file, text, decimals: Decimals::default(), width: 0 }
+        Self { file, text, decimals: Decimals::default(), losses: Losses::default(), width: 0 }
     }
 
     fn numbers(mut self, order: Order) -> Result<Rows, InputError> {
@@ -156,11 +157,12 @@ impl<'a> Table<'a> {
         self.check_count(count, numbers.len())?;
         let comments = text.left_out();
         let left_out = left_out.into_iter().chain(nameless_in_words).chain(comments);
-        let read = in_doubt.map(|RowInDoubt { row, .. }| format!("the first row ({row}) is read as data"));
+        let read = in_doubt.map(|RowInDoubt { in_words, .. }| in_words);
         let mut notes: Vec<String> = read.into_iter().collect();
         notes.extend(left_out.map(|part| format!("left out: {part}")));
         notes.extend(others);
         notes.extend(counting.in_words(&columns, false));
+        notes.extend(self.losses.in_words());
         notes.extend(self.commas()?);
         Ok(Rows { names, numbers, notes })
     }
@@ -214,11 +216,20 @@ impl<'a> Table<'a> {
             }
         }
         self.check_count(count, points.len() + skipping.count() - skipped_before)?;
-        let read = in_doubt.map(|RowInDoubt { row, line }| {
-            format!("the first row ({row}) is read as data; --skip {line} leaves it out")
-        });
+        let read = in_doubt.map(|RowInDoubt { in_words, line }| format!("{in_words}; --skip {line} leaves it out"));
         let mut notes: Vec<String> = read.into_iter().collect();
         notes.extend(counting.in_words(&columns, true));
+        if shape.columns.is_none() {
+            let used: Vec<String> = columns.iter().map(|&column| names[column].clone()).collect();
+            notes.extend(names::in_another_order(&used));
+        }
+        if shape.is_cloud && shape.columns.is_none() && !has_header && columns == [0, 1, 2] && names.len() >= 4 {
+            notes.extend(may_be_atoms(&points).then(|| {
+                "columns 1, 2, 3 are read as coordinates; if column 1 holds atomic numbers, --columns 2,3,4 leaves it out"
+                    .to_owned()
+            }));
+        }
+        let losses = self.losses.in_words();
         notes.extend(self.commas()?);
         let (columns, mut left_out) = columns_of(&names, &columns);
         for (column, in_words) in nameless.iter().zip(nameless_in_words) {
@@ -228,7 +239,7 @@ impl<'a> Table<'a> {
             }
         }
         left_out.extend(rows_left_out);
-        Ok(Reading { notes, ..Reading::of(points, (columns, left_out)) })
+        Ok(Reading { notes, losses, ..Reading::of(points, (columns, left_out)) })
     }
 
     fn point(&mut self, row: &ByteRecord, columns: &[usize]) -> Result<[f64; COORDINATE_LIMIT], InputError> {
@@ -321,6 +332,12 @@ impl<'a> Table<'a> {
         if let Some((mark, format)) = formats.into_iter().find(|(mark, _)| is_begun(mark)) {
             return format!("it begins with `{mark}`, so it may be of the format {format}: --format {format}");
         }
+        if first.len() > 1 {
+            let cells = first.len();
+            return format!(
+                "a row has {cells} cells, of which one has a name; choose columns, as by --columns 1,{cells}"
+            );
+        }
         match self.text.rows().filter_map(Result::ok).find(|row| row.len() > 1) {
             Some(wider) => {
                 let (line, wide) = (self.text.line(first), self.text.line(&wider));
@@ -347,7 +364,9 @@ impl<'a> Table<'a> {
             return Err(problem.at(self.file, cell_at(found.min(expected))));
         }
         let read = self.decimals.read(&row[column], text.separator(), || cell_at(column));
-        read.map_err(|problem| problem.at(self.file, cell_at(column)))
+        let number = read.map_err(|problem| problem.at(self.file, cell_at(column)))?;
+        self.losses.note(&row[column], number, || cell_at(column));
+        Ok(number)
     }
 
     /// The cells of a row without the empty one after a separator at its end.
@@ -374,6 +393,13 @@ impl<'a> Table<'a> {
     fn place(&self, row: &ByteRecord) -> Place {
         Place::Line(self.text.line(row))
     }
+}
+
+/// Whether the first coordinates are all atomic numbers, beside others that are not all whole.
+fn may_be_atoms(points: &Points) -> bool {
+    let is_element = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(LAST_ELEMENT)).contains(&x);
+    points.rows().all(|point| is_element(point[0]))
+        && points.rows().any(|point| point[1..].iter().any(|x| x.fract() != 0.0))
 }
 
 /// The columns of a table by their names; by their numbers where the first row is one of data.

@@ -24,6 +24,9 @@ pub(super) enum Use {
     Vectors,
 }
 
+/// The largest atomic number that an element with a name has.
+pub(super) const LAST_ELEMENT: u8 = 118;
+
 /// The first two rows of names or data, and what was found out about the table.
 pub(super) struct Start {
     /// The first row, without an empty cell after a separator at its end.
@@ -39,18 +42,20 @@ pub(super) struct Start {
     pub(super) nameless: Vec<usize>,
     /// The columns without a name, in words.
     pub(super) nameless_in_words: Vec<String>,
+    /// Whether the first column has the atomic numbers of a list of atoms.
+    has_elements: bool,
     /// The rows that were left out.
     pub(super) left_out: Vec<String>,
-    /// A first row that is read as data, though it may number the columns.
+    /// A first row that is read as data, though it may be something else.
     pub(super) in_doubt: Option<RowInDoubt>,
     /// The rows of the text before the second one.
     before_second: usize,
 }
 
-/// A row that is read as data, though it may be a header.
+/// A row that is read as data, though it may be a header or the sizes of the table.
 pub(super) struct RowInDoubt {
-    /// Its cells.
-    pub(super) row: String,
+    /// The row, and what else it may be, in words.
+    pub(super) in_words: String,
     /// Its line in the file.
     pub(super) line: u64,
 }
@@ -70,19 +75,26 @@ impl Start {
         let (mut count, mut before_second, mut nameless) = (None, 1, Vec::new());
         let mut left_out = Vec::new();
         let holds_several = |row: &ByteRecord| row.iter().filter(|cell| !cell.trim_ascii().is_empty()).count() > 1;
-        if let Some(counted) = lone_count(&first)
-            && let Some(row) = second.take_if(|row| holds_several(row))
+        let counted = lone_count(&first);
+        // Lists of atoms have a title behind the count, which may be empty.
+        let has_title = counted.is_some_and(|counted| text.rows().count() as u64 == counted.saturating_add(2));
+        let is_apart = second.as_ref().is_some_and(|second| text.line(second) > text.line(&first) + 1);
+        let mut has_elements = false;
+        if let Some(counted) = counted
+            && let Some(row) = second.take_if(|row| has_title || holds_several(row))
         {
             left_out.push(format!("the first row, which counts {counted} points"));
             (first, second, count) = (row, next()?, Some(counted));
             before_second += 1;
-            // Lists of atoms have a title behind the count.
-            if text.rows().count() as u64 == counted.saturating_add(2)
-                && let Some(row) = second.take()
-            {
+            if has_title && let Some(row) = second.take() {
                 left_out.push("the second row, a title".to_owned());
                 (first, second) = (row, next()?);
                 before_second += 1;
+            }
+            has_elements = (has_title || is_apart)
+                && numbers_elements(&first, text.rows().skip(before_second).map_while(Result::ok));
+            if has_elements {
+                nameless = vec![0];
             }
         } else if use_of != Use::Told
             && let Some((sizes, others)) = sizes(text, &first)
@@ -108,6 +120,7 @@ impl Start {
             is_numbered: false,
             nameless,
             nameless_in_words: Vec::new(),
+            has_elements,
             left_out,
             in_doubt: None,
             before_second,
@@ -115,6 +128,7 @@ impl Start {
         start.name_first_column(text);
         start.cut();
         start.tell_numbered_columns(file, text, use_of)?;
+        start.doubt_sizes(text, use_of);
         start.find_nameless(text);
         Ok(Some(start))
     }
@@ -149,7 +163,18 @@ impl Start {
     /// it has three numbers or a fraction such as 2.0 shows that a point would be written otherwise: a figure may well
     /// begin with the point (0, 1).
     fn tell_numbered_columns(&mut self, file: &Path, text: &Text, use_of: Use) -> Result<(), InputError> {
-        if matches!(use_of, Use::Told | Use::Cloud) || self.second.is_none() || !numbers_columns(&self.first) {
+        if use_of == Use::Told || self.second.is_none() || !numbers_columns(&self.first) {
+            return Ok(());
+        }
+        let row = cells(&self.first).join(", ");
+        let in_doubt = |row: &str| {
+            Some(RowInDoubt {
+                in_words: format!("the first row ({row}) is read as data"),
+                line: text.line(&self.first),
+            })
+        };
+        if use_of == Use::Cloud {
+            self.in_doubt = in_doubt(&row);
             return Ok(());
         }
         let is_fraction = |cell: &[u8]| {
@@ -163,7 +188,6 @@ impl Start {
         }
         let is_certain = self.first.len() > 2 || has_whole_fraction;
         self.is_numbered = is_nameless(&self.first) || (are_fractions && is_certain);
-        let row = cells(&self.first).join(", ");
         if !self.is_numbered && self.first.len() > 2 && use_of == Use::Table {
             let line = text.line(&self.first);
             return Err(Problem::NumbersOrData { row, skip: line }.at(file, Place::Line(line)));
@@ -171,9 +195,22 @@ impl Start {
         if self.is_numbered {
             self.left_out.push(format!("the first row ({}), which numbers the columns", row.trim_start_matches(", ")));
         } else {
-            self.in_doubt = Some(RowInDoubt { row, line: text.line(&self.first) });
+            self.in_doubt = in_doubt(&row);
         }
         Ok(())
+    }
+
+    /// Between other separators than spaces, a first row of two whole numbers is one of data, though the numbers may be
+    /// those of the rows behind it and of their cells.
+    fn doubt_sizes(&mut self, text: &Text, use_of: Use) {
+        let whole = |cell: &[u8]| std::str::from_utf8(cell).ok()?.trim().parse::<usize>().ok();
+        let sizes: Option<Vec<usize>> = self.first.iter().map(whole).collect();
+        let behind = self.rows_behind(text).count();
+        if use_of != Use::Told && self.in_doubt.is_none() && sizes == Some(vec![behind, 2]) {
+            let in_words =
+                format!("the first row ({behind}, 2) is read as data, though it may say the sizes of the table");
+            self.in_doubt = Some(RowInDoubt { in_words, line: text.line(&self.first) });
+        }
     }
 
     /// A column that the header leaves without a name holds numbers or names of rows.
@@ -183,9 +220,10 @@ impl Start {
             |column: &usize| self.nameless.contains(column) || (is_header && is_no_name(&self.first[*column]));
         let nameless: Vec<usize> = (0..self.width).filter(is_without).collect();
         if nameless.len() < self.width {
-            let in_words = |&column: &usize| match column == 0 && self.counts_rows(text) {
-                true => "column 1, which counts the rows".to_owned(),
-                false => format!("column {}, which has no name", column + 1),
+            let in_words = |&column: &usize| match column {
+                0 if self.has_elements => "column 1, the atomic numbers".to_owned(),
+                0 if self.counts_rows(text) => "column 1, which counts the rows".to_owned(),
+                _ => format!("column {}, which has no name", column + 1),
             };
             self.nameless_in_words = nameless.iter().map(in_words).collect();
             self.nameless = nameless;
@@ -227,6 +265,17 @@ fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let coordinates = if sizes.len() < 4 { 0..width } else { 1..1 + sizes[1] };
     let others = (0..width).filter(|column| !coordinates.contains(column)).collect();
     (count == sizes[0]).then_some((in_words, others))
+}
+
+/// Whether the rows begin with atomic numbers, before three coordinates.
+fn numbers_elements(first: &ByteRecord, others: impl Iterator<Item = ByteRecord>) -> bool {
+    let is_element = |cell: &[u8]| {
+        let number = std::str::from_utf8(cell).ok().and_then(|cell| cell.trim().parse::<u8>().ok());
+        number.is_some_and(|number| (1..=LAST_ELEMENT).contains(&number))
+    };
+    let is_atom =
+        |row: &ByteRecord| row.len() >= 4 && is_element(&row[0]) && (1..4).all(|i| number::is_number(&row[i]));
+    is_atom(first) && others.into_iter().all(|row| is_atom(&row))
 }
 
 fn ends_empty(row: &ByteRecord) -> bool {

@@ -1,5 +1,7 @@
 //! Tables with and without header, whole and broken.
 
+mod atoms;
+mod doubts;
 mod foreign;
 mod silent;
 
@@ -206,7 +208,7 @@ fn first_lines_are_skipped_when_they_are_told() {
     };
     let flowers = "150,4,setosa\n1,2,0\n3,4,0\n";
     let unclear = "p.csv: line 1, column 3: 'setosa' stands beside numbers and above one; if this line is a header, \
-                   --skip 1 leaves it out, and --skip 0 reads it as data";
+                   --skip 1 leaves it out, and --no-header reads it as data";
     assert_eq!(read(flowers, None), Err(unclear.to_owned()));
     let plane = |points: &[[f64; 2]]| Points::Plane(points.to_vec());
     let told = Some("1, 2; left out: column 3, the first line".to_owned());

@@ -1,5 +1,7 @@
 //! The header of PLY: which elements follow, and which properties they have.
 
+use std::fmt;
+
 use super::super::content::{Misplaced, broken};
 use crate::input::error::Place;
 
@@ -34,6 +36,17 @@ impl Kind {
         })
     }
 
+    /// Whether a word with this number may stand for the type in a text: for integers a whole one in its range. Texts
+    /// have numbers of any precision for floats, and words for missing ones.
+    pub(super) fn has(self, number: Option<f64>) -> bool {
+        let (low, high) = match self {
+            Self::Float(_) => return true,
+            Self::Signed(bytes) => (-2_f64.powi(8 * bytes as i32 - 1), 2_f64.powi(8 * bytes as i32 - 1)),
+            Self::Unsigned(bytes) => (0.0, 2_f64.powi(8 * bytes as i32)),
+        };
+        number.is_some_and(|number| number.fract() == 0.0 && low <= number && number < high)
+    }
+
     /// The bytes of a number.
     pub(super) fn bytes(self) -> usize {
         let (Self::Signed(bytes) | Self::Unsigned(bytes) | Self::Float(bytes)) = self;
@@ -54,6 +67,21 @@ impl Kind {
             Self::Float(4) => f64::from(f32::from_le_bytes([wide[0], wide[1], wide[2], wide[3]])),
             Self::Float(_) => f64::from_le_bytes(wide),
         }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Signed(1) => "char",
+            Self::Signed(2) => "short",
+            Self::Signed(_) => "int",
+            Self::Unsigned(1) => "uchar",
+            Self::Unsigned(2) => "ushort",
+            Self::Unsigned(_) => "uint",
+            Self::Float(4) => "float",
+            Self::Float(_) => "double",
+        })
     }
 }
 

@@ -5,10 +5,10 @@ mod header;
 use self::header::{Element, Encoding, Header, Property};
 use super::content::{Mesh, Misplaced, broken, finite, on_line, vertex_on_line};
 use super::words::{lines, words};
-use crate::input::encoding;
 use crate::input::error::{Place, Problem};
 use crate::input::points::MAX_POINTS;
 use crate::input::reading::{Skipping, counted};
+use crate::input::{encoding, number};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -74,25 +74,21 @@ impl File<'_> {
         for element in &header.elements {
             for index in 0..element.count {
                 let Some((line, text)) = filled.next() else { return Err(ended(element, index)) };
-                if !["vertex", "face"].contains(&element.name.as_str()) {
-                    continue;
-                }
                 let words: Vec<&[u8]> = words(text).collect();
-                let places = places(&words, &element.properties).map_err(|complaint| {
+                let wrong = |complaint: String| {
                     (broken("PLY", &format!("{} {}: {complaint}", element.name, index + 1)), Place::Line(line))
-                })?;
+                };
+                let is_read = ["vertex", "face"].contains(&element.name.as_str());
+                let places = match places(&words, &element.properties) {
+                    // Lines that are not read may be of any form.
+                    Err(_) if !is_read => continue,
+                    places => places.map_err(wrong)?,
+                };
+                check_types(&words, &places, &element.properties).map_err(wrong)?;
                 if element.name == "vertex" {
                     let columns = self.axes.map(|axis| places[axis]);
-                    let read =
-                        on_line(columns.map(|column| words[column]), 1, line).map_err(
-                            |(problem, place)| match place {
-                                Place::Cell { line, column } => {
-                                    let column = columns[column as usize - 1] as u64 + 1;
-                                    (problem, Place::Cell { line, column })
-                                }
-                                place => (problem, place),
-                            },
-                        )?;
+                    let numbers = columns.map(|column| column as u64 + 1);
+                    let read = on_line(columns.map(|column| words[column]), numbers, line, &mut self.mesh.losses)?;
                     self.mesh.push(read, self.skipping, |number| vertex_on_line(number, line))?;
                 }
                 if element.name == "face" {
@@ -100,10 +96,12 @@ impl File<'_> {
                         let end = places.get(list + 1).copied().unwrap_or(words.len());
                         &words[places[list] + 1..end]
                     });
-                    let corner = |word: &&[u8]| std::str::from_utf8(word).ok()?.parse().ok();
-                    let face: Option<Vec<usize>> = corners.unwrap_or_default().iter().map(corner).collect();
-                    let complaint = || (broken("PLY", "a corner of a face is no vertex"), Place::Line(line));
-                    self.faces.push(face.ok_or_else(complaint)?);
+                    let corner = |word: &&[u8]| {
+                        let corner = number::number(word).ok().and_then(corner);
+                        corner.ok_or_else(|| wrong(format!("the corner '{}' is no vertex", shown(word))))
+                    };
+                    let face: Vec<usize> = corners.unwrap_or_default().iter().map(corner).collect::<Result<_, _>>()?;
+                    self.faces.push(face);
                 }
             }
         }
@@ -130,10 +128,15 @@ impl File<'_> {
                         vertex[axis] = value(values);
                     }
                     if corner_list == Some(number) {
-                        // A negative corner is beyond all vertices.
-                        let corner =
-                            |bytes| Some(value(bytes)).filter(|&x| x >= 0.0).map_or(usize::MAX, |x| x as usize);
-                        self.faces.push(values.chunks_exact(property.kind.bytes()).map(corner).collect());
+                        let corner = |bytes: &[u8]| {
+                            let number = value(bytes);
+                            corner(number).ok_or_else(|| {
+                                let complaint = format!("the corner {number} is no vertex");
+                                (broken("PLY", &complaint), Place::Path(format!("face {}", index + 1)))
+                            })
+                        };
+                        let corners = values.chunks_exact(property.kind.bytes()).map(corner);
+                        self.faces.push(corners.collect::<Result<_, _>>()?);
                     }
                 }
                 if element.name == "vertex" {
@@ -157,6 +160,33 @@ fn ended(element: &Element, index: usize) -> Misplaced {
 fn corner_list(element: &Element) -> Option<usize> {
     let is_list = |property: &Property| property.count.is_some() && CORNERS.contains(&property.name.as_str());
     element.properties.iter().position(is_list)
+}
+
+/// The vertex that a number refers to, if it is a whole one that is not negative.
+fn corner(number: f64) -> Option<usize> {
+    (number >= 0.0 && number.fract() == 0.0).then_some(number as usize)
+}
+
+/// Refuses a word of an integer property that its type does not have, by the name of the property.
+fn check_types(words: &[&[u8]], places: &[usize], properties: &[Property]) -> Result<(), String> {
+    let ends = places.iter().skip(1).copied().chain([words.len()]);
+    for ((property, &begin), end) in properties.iter().zip(places).zip(ends) {
+        let values = begin + usize::from(property.count.is_some())..end;
+        let lengths = property.count.map(|kind| (begin, kind));
+        let all = lengths.into_iter().chain(values.map(|place| (place, property.kind)));
+        for (place, kind) in all {
+            if !kind.has(number::number(words[place]).ok()) {
+                let (name, word) = (&property.name, shown(words[place]));
+                return Err(format!("`{name}` is of the type {kind}, which '{word}' is not"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A word as a message shows it.
+fn shown(word: &[u8]) -> String {
+    String::from_utf8_lossy(word).escape_debug().to_string()
 }
 
 /// The first word of every property on a line, which has no others.

@@ -151,7 +151,7 @@ fn a_row_of_sizes_is_left_out_where_the_rows_agree_with_it() {
 fn a_first_row_that_may_number_the_columns_is_asked_about() {
     let content = "0 1 2\n3 4 5\n6 7 9\n";
     let complaint = told(content, false, None).expect_err("a header or a point");
-    assert!(complaint.contains("--skip 1 leaves it out, and --skip 0 reads it as data"), "{complaint}");
+    assert!(complaint.contains("--skip 1 leaves it out, and --no-header reads it as data"), "{complaint}");
     assert_eq!(told(content, false, Some(0)).expect("points").0.len(), 3);
     assert_eq!(told(content, false, Some(1)).expect("points").0.len(), 2);
     assert_eq!(told(content, true, None).expect("points").0.len(), 3);

@@ -1,14 +1,19 @@
-//! Wavefront OBJ: the vertices that faces, lines or points use, in the order of the file, and the faces. A file without
-//! any of these elements is a cloud of points.
+//! Wavefront OBJ: the vertices that faces, lines, points, curves or surfaces use, in the order of the file, and the
+//! faces. A file without any of these elements is a cloud of points. The control points of a curve or a surface stand
+//! for it: those of Bézier curves and B-splines enclose it.
+
+mod keyword;
 
 use std::borrow::Cow;
 
+pub(in crate::input) use self::keyword::Keyword;
 use super::content::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use super::words::{lines, words};
+use crate::input::encoding;
 use crate::input::error::{Place, Problem};
+use crate::input::number::{self, Losses};
 use crate::input::points::{MAX_POINTS, push_limited};
 use crate::input::reading::{Skipping, counted};
-use crate::input::{encoding, number};
 
 pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
     let text = encoding::text(content).map_err(|problem| (problem, Place::File))?;
@@ -18,16 +23,23 @@ pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misp
         let (whole, is_glued) = continued(first, &mut physical);
         let mut rest = words(&whole);
         let at_line = |problem: Problem| (problem, Place::Line(line));
-        let keyword = rest.next().unwrap_or_default();
-        let is_read = matches!(keyword, b"v" | b"p" | b"l" | b"f" | b"fo");
-        if is_read && is_glued {
+        let Some(word) = rest.next() else { continue };
+        let keyword = Keyword::of(word);
+        if is_glued && !matches!(keyword, None | Some(Keyword::Passed)) {
             let complaint = "a backslash between two characters may separate two numbers or join one";
             return Err(at_line(broken("OBJ", complaint)));
         }
         match keyword {
-            b"v" => file.vertex(line, &rest.collect::<Vec<_>>())?,
-            b"p" | b"l" | b"f" | b"fo" => file.element(line, rest, keyword.starts_with(b"f")).map_err(at_line)?,
-            _ => {}
+            Some(Keyword::Vertex) => file.vertex(line, &rest.collect::<Vec<_>>())?,
+            Some(keyword @ (Keyword::Element | Keyword::Face)) => {
+                file.element(line, rest, keyword == Keyword::Face).map_err(at_line)?;
+            }
+            Some(Keyword::FreeForm { parameters }) => file.free_form(line, rest, parameters).map_err(at_line)?,
+            Some(Keyword::Passed) => {}
+            None => {
+                file.unknown.0 += 1;
+                file.unknown.1.get_or_insert_with(|| (String::from_utf8_lossy(word).into_owned(), line));
+            }
         }
     }
     file.mesh(skipping)
@@ -63,6 +75,11 @@ struct Elements {
     is_used: Vec<bool>,
     /// The largest vertex that is used, with the line that does so.
     farthest: Option<(usize, u64)>,
+    /// Whether a vertex is a control point of a curve or a surface.
+    is_control: Vec<bool>,
+    /// The lines that begin with a word that OBJ does not have: their number, and the first one.
+    unknown: (usize, Option<(String, u64)>),
+    losses: Losses,
 }
 
 impl Elements {
@@ -72,12 +89,16 @@ impl Elements {
         let &[x, y, z, ref rest @ ..] = numbers else {
             return Err(at(broken("OBJ", "a vertex has three coordinates"), numbers.len() + 1));
         };
-        let weight = if let [weight] = rest { number::number(weight).map_err(|problem| at(problem, 4))? } else { 1.0 };
+        let mut weight = 1.0;
+        if let &[word] = rest {
+            weight = number::number(word).map_err(|problem| at(problem, 4))?;
+            self.losses.note(word, weight, || Place::Cell { line, column: 4 });
+        }
         if weight == 0.0 {
             return Err(at(broken("OBJ", "a vertex of weight 0 lies at infinity"), 4));
         }
         self.weighted += usize::from(weight != 1.0);
-        let vertex = match on_line([x, y, z], 1, line)? {
+        let vertex = match on_line([x, y, z], [1, 2, 3], line, &mut self.losses)? {
             Ok(vertex) => vertex.map(|x| x / weight),
             Err(problem) => {
                 self.missing.push((self.vertices.len(), line, problem));
@@ -97,6 +118,32 @@ impl Elements {
         references: impl Iterator<Item = &'a [u8]>,
         is_face: bool,
     ) -> Result<(), Problem> {
+        let corners = self.corners(line, references)?;
+        if is_face && corners.len() >= 3 {
+            self.faces.push(corners);
+        }
+        Ok(())
+    }
+
+    /// A curve or a surface, by the ends of its parameters and references to its control points.
+    fn free_form<'a>(
+        &mut self,
+        line: u64,
+        words: impl Iterator<Item = &'a [u8]>,
+        parameters: usize,
+    ) -> Result<(), Problem> {
+        let corners = self.corners(line, words.skip(parameters))?;
+        for &corner in corners.iter().filter(|&&corner| corner < MAX_POINTS) {
+            if corner >= self.is_control.len() {
+                self.is_control.resize(corner + 1, false);
+            }
+            self.is_control[corner] = true;
+        }
+        Ok(())
+    }
+
+    /// The vertices that an element refers to, which are used from then on.
+    fn corners<'a>(&mut self, line: u64, references: impl Iterator<Item = &'a [u8]>) -> Result<Box<[usize]>, Problem> {
         let count = self.vertices.len();
         let corner = |reference: &[u8]| {
             let index = reference.split(|&byte| byte == b'/').next().unwrap_or_default();
@@ -122,10 +169,7 @@ impl Elements {
                 self.is_used[corner] = true;
             }
         }
-        if is_face && corners.len() >= 3 {
-            self.faces.push(corners);
-        }
-        Ok(())
+        Ok(corners)
     }
 
     /// The mesh of the vertices that are used.
@@ -134,6 +178,10 @@ impl Elements {
         if let Some((farthest, line)) = self.farthest.filter(|&(farthest, _)| farthest >= count) {
             let complaint = format!("the vertex {} is used, of {count}", farthest + 1);
             return Err((broken("OBJ", &complaint), Place::Line(line)));
+        }
+        if let (0, (_, Some((word, line)))) = (count, &self.unknown) {
+            let complaint = format!("'{}' is no word with which its lines begin", word.escape_debug());
+            return Err((broken("OBJ", &complaint), Place::Line(*line)));
         }
         self.is_used.resize(count, self.farthest.is_none());
         let mut mesh = Mesh::default();
@@ -155,6 +203,18 @@ impl Elements {
         mesh.faces.iter_mut().flat_map(|face| face.iter_mut()).for_each(|corner| *corner = places[*corner]);
         let unused = count - mesh.vertices.len();
         mesh.left_out.extend(counted(unused, "vertex that nothing uses", "vertices that nothing uses"));
+        if let (lines, Some((word, line))) = self.unknown {
+            let begin = counted(lines, "line that begins with a word", "lines that begin with words");
+            let word = word.escape_debug();
+            mesh.left_out.extend(begin.map(|begin| format!("{begin} that OBJ does not have ('{word}', line {line})")));
+        }
+        let controls = self.is_control.iter().filter(|&&is_control| is_control).count();
+        mesh.notes.extend(counted(
+            controls,
+            "vertex is a control point of curves or surfaces, which are not read themselves",
+            "vertices are control points of curves or surfaces, which are not read themselves",
+        ));
+        mesh.losses = self.losses;
         mesh.notes.extend(counted(self.weighted, "vertex divided by its weight", "vertices divided by their weights"));
         Ok(mesh)
     }

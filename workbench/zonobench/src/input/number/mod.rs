@@ -1,6 +1,11 @@
 //! A number as texts spell it: finite, missing, or broken in a way that has a name.
 
+pub(super) mod in_json;
+mod loss;
+
 use super::error::Problem;
+
+pub(super) use self::loss::Losses;
 
 /// Words for a missing number in tables, beside an empty cell and the spellings of NaN.
 const MISSING: [&str; 5] = ["na", "n/a", "<na>", "null", "none"];
