@@ -148,9 +148,10 @@ impl ConstantRate {
 
     fn between<T: Scalar>(&self, times: [f64; 2], clock: Clock, axis: &[T; 3]) -> Arc<T> {
         let outwards = match clock {
-            Clock::Kept => 0.0,
             // half an angle is moved, so the angle by twice its rounding
-            Clock::Free => self.rounding().copysign(self.angle),
+            Clock::Free if self.angle != 0.0 => self.rounding().copysign(self.angle),
+            // no turn is not rounded
+            Clock::Free | Clock::Kept => 0.0,
         };
         let turned = |(t, outwards): (f64, f64)| {
             let half = self.angle * t / 2.0 + outwards;
@@ -182,6 +183,16 @@ mod tests {
         for angle in [1.3e16, 1.41e16, 5e16, 1e300] {
             let motion = ConstantRate::new([0.0; 3], [0.0, 0.0, 3.0], angle, [0.0; 3]);
             assert_eq!(motion.angle_off([0.5, 0.5]), f64::INFINITY, "{angle}");
+        }
+    }
+
+    #[test]
+    fn a_turn_by_no_angle_leaves_a_body_where_it_is() {
+        for angle in [0.0, -0.0] {
+            let motion = ConstantRate::new([100.0, 0.0, 0.0], [0.0, 1.0, 0.0], angle, [0.0; 3]);
+            for clock in [Clock::Kept, Clock::Free] {
+                assert_eq!(motion.rounded_arc([0.25, 1.0], clock).turns, [[1.0, 0.0, 0.0, 0.0]; 2], "{clock:?}");
+            }
         }
     }
 

@@ -49,6 +49,24 @@ fn bodies_that_touch_at_the_start_meet_at_the_time_zero() {
 /// Bodies that slide along each other, or turn face to face, at a distance of so much. A turn at constant rate is off
 /// across its axis alone, and where nothing else moves not at all, so that it takes few stretches as well.
 #[test]
+fn a_turn_by_no_angle_parts_no_bodies() {
+    let no_turn = |point, axis| Motion::constant_rate(point, axis, 0.0, [0.0; 3]).expect("an axis");
+    let square = body([0.0; 3], &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    let on_its_edge = body([1.0, 0.0, 0.0], &[]);
+    let resting = [no_turn([100.0, 0.0, 0.0], [0.0, 1.0, 0.0]), no_turn([0.0; 3], [0.0, 0.0, 1.0])];
+    assert_ne!(first_contact([&square, &on_its_edge], resting.each_ref()).name(), "separate");
+    // half a turn takes a point to within 1e-16 of a segment's end, and of a point
+    let half = |point, axis| Motion::constant_rate(point, axis, std::f64::consts::PI, [0.0; 3]).expect("an axis");
+    let (origin, segment) = (body([0.0; 3], &[]), body([0.0, 2.0, 0.0], &[[0.0, 1.5, 0.0]]));
+    let turning = half([0.5, 0.25, 0.0], [1.0, 0.0, 0.0]);
+    let found = first_contact([&origin, &segment], [&turning, &no_turn([0.0; 3], [0.0, 0.0, 1.0])]);
+    assert_ne!(found.name(), "separate", "the segment begins where the point ends");
+    let turning = half([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let other = body([2.0, 0.0, 0.0], &[]);
+    assert_ne!(first_contact([&origin, &other], [&turning, &resting[1]]).name(), "separate");
+}
+
+#[test]
 fn a_contact_that_lasts_ends_the_search_soon() {
     for distance in [0.0, 1e-15, 1e-14, 1e-12, 1e-10] {
         let (a, b) = (body([0.0; 3], &CUBE), body([5.0, 2.0 + distance, 0.0], &CUBE));
