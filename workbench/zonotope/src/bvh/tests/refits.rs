@@ -24,3 +24,15 @@ fn volumes_follow_a_deformation() {
     let flat: Vec<[f64; 3]> = mesh.vertices().iter().map(|[x, y, _]| [*x, *y, 1.0]).collect();
     for_each_volume!(follow(&mesh, &flat));
 }
+
+#[cfg(feature = "parallel")]
+#[test]
+fn volumes_do_not_depend_on_the_number_of_threads() {
+    let mesh = round(12, 14, 1.5);
+    let build = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+        pool.install(|| Bvh::<Zonotope4>::build(&mesh))
+    };
+    let [one, four] = [1, 4].map(build);
+    assert!(one.volumes == four.volumes && one.topology == four.topology && one.sizes == four.sizes);
+}

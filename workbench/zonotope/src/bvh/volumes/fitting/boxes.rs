@@ -10,7 +10,10 @@ pub(super) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 
 const FIRST_TURN: f64 = 0.4;
 
 /// The number of angles.
-const TURNS: usize = 5;
+const TURNS: usize = 6;
+
+/// Starts of a search: the best of the frames that are looked at.
+const STARTS: usize = 2;
 
 /// Of no more points than these, frames along their edges are looked at instead of turned ones: the least box of a
 /// polygon has a side along an edge.
@@ -33,22 +36,21 @@ pub(super) fn along(points: &[[f64; 3]], axes: [[f64; 3]; 3]) -> Covering {
 /// A box of few expected overlaps.
 pub(super) fn search(points: &[[f64; 3]]) -> Covering {
     let is_face = points.len() <= POINTS_OF_A_FACE;
-    let quarter = std::f64::consts::FRAC_PI_4;
-    let turned = (0..3).map(|axis| turn(&AXES, axis, quarter));
-    let mut best = (aim(points, &AXES), AXES);
-    let mut consider = |axes: [[f64; 3]; 3]| {
-        let found = aim(points, &axes);
-        if found < best.0 {
-            best = (found, axes);
-        }
-    };
+    let mut starts: Vec<(f64, [[f64; 3]; 3])> = vec![(aim(points, &AXES), AXES)];
     if is_face {
-        frames_of_edges(points).for_each(&mut consider);
+        starts.extend(frames_of_edges(points).map(|axes| (aim(points, &axes), axes)));
     } else {
-        turned.chain(frame_of_extremes(points)).for_each(&mut consider);
+        let turned = (0..3).map(|axis| turn(&AXES, axis, std::f64::consts::FRAC_PI_4));
+        let others = turned.chain(frame_of_extremes(points));
+        starts.extend(others.map(|axes| (aim(points, &axes), axes)));
     }
-    let (value, axes) = best;
-    along(points, if is_face { axes } else { improve(points, value, axes).1 })
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let improved = starts
+        .into_iter()
+        .take(STARTS)
+        .map(|(value, axes)| if is_face { (value, axes) } else { improve(points, value, axes) });
+    let best = improved.min_by(|a, b| a.0.total_cmp(&b.0));
+    along(points, best.expect("the axes are a start").1)
 }
 
 /// The frames of an edge and the plane of a triangle, for all triples of points.

@@ -67,8 +67,8 @@ impl Covering {
         for (Normal { unit: u, .. }, [low, high]) in normals.iter().zip(&heights) {
             let extents = || directions.iter().map(|d| dot(d, u).abs());
             let shift = FARTHEST_CENTER * (u[0] + u[1] + u[2]);
-            program.at_least(u.iter().copied().chain(extents()), high + shift);
-            program.at_least(u.iter().map(|c| -c).chain(extents()), -low - shift);
+            program.add_inequality(u.iter().copied().chain(extents()), high + shift);
+            program.add_inequality(u.iter().map(|c| -c).chain(extents()), -low - shift);
         }
         let costs: Vec<f64> = [0.0; 3].into_iter().chain(weights).collect();
         let found = program.minimize(&costs)?;

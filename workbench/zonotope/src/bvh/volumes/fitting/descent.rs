@@ -28,7 +28,7 @@ const LEAST_LENGTH: f64 = 1e-3;
 /// Points of a facet that the differentials watch: those that are farthest along its normal.
 const POINTS_OF_A_FACET: usize = 4;
 
-/// A covering that no small step of all generators makes better, or that so many steps have made better.
+/// The covering after a number of steps, or after fewer where no small step of all generators makes it better.
 pub(super) fn descend(points: &[[f64; 3]], mut best: Covering, steps: usize) -> Covering {
     let mut aim = best.aim();
     let mut share = FIRST_SHARE;
@@ -77,9 +77,9 @@ fn step(points: &[[f64; 3]], covering: &Covering, share: f64) -> Option<Covering
     }
     let unknowns = units.len();
     let mut program = Program::with_room(unknowns, rows.len() + unknowns);
-    rows.into_iter().for_each(|(coefficients, right)| program.at_least(coefficients, right));
+    rows.into_iter().for_each(|(coefficients, right)| program.add_inequality(coefficients, right));
     for bounded in 0..unknowns {
-        program.at_least((0..unknowns).map(|k| if k == bounded { -1.0 } else { 0.0 }), -2.0);
+        program.add_inequality((0..unknowns).map(|k| if k == bounded { -1.0 } else { 0.0 }), -2.0);
     }
     let found = program.minimize(&costs)?;
     let moved = |k: usize, axis: usize| generators[k][axis] + units[3 * k + axis] * (found[3 * k + axis] - 1.0);

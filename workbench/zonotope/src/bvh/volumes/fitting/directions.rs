@@ -41,8 +41,8 @@ pub(super) fn search(points: &[[f64; 3]], start: Covering, count: usize, effort:
     improve(points, descend(points, best, STEPS), count, effort)
 }
 
-/// The axes of a box with the diagonals of its faces, and the most frequent directions between nearest points, which are
-/// mostly those of edges of the hull.
+/// The axes of a box with the diagonals of its faces, and the most frequent directions between nearest points, mostly
+/// those of edges of the hull.
 fn dictionary(points: &[[f64; 3]], axes: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mut directions = axes.to_vec();
     for (i, j) in [(0, 1), (1, 2), (2, 0)] {

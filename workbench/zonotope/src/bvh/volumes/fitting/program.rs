@@ -33,7 +33,7 @@ pub(super) struct Program {
 }
 
 impl Program {
-    /// The program of so many unknowns without an inequality, with room for some.
+    /// The program without an inequality, with room for a number of them.
     pub(super) fn with_room(unknowns: usize, inequalities: usize) -> Self {
         let entries = vec![0.0; unknowns * inequalities];
         Self { unknowns, inequalities, entries, gains: Vec::with_capacity(inequalities) }
@@ -41,7 +41,7 @@ impl Program {
 
     /// Adds the inequality coefficients · x ≥ right.
     #[inline]
-    pub(super) fn at_least(&mut self, coefficients: impl IntoIterator<Item = f64>, right: f64) {
+    pub(super) fn add_inequality(&mut self, coefficients: impl IntoIterator<Item = f64>, right: f64) {
         let column = self.gains.len();
         for (row, c) in coefficients.into_iter().enumerate() {
             self.entries[row * self.inequalities + column] = c;
@@ -132,8 +132,8 @@ mod tests {
     fn a_program_by_hand() {
         // x + 2 y ≥ 4 and 3 x + y ≥ 6 meet at (1.6, 1.2)
         let mut program = Program::with_room(2, 2);
-        program.at_least([1.0, 2.0], 4.0);
-        program.at_least([3.0, 1.0], 6.0);
+        program.add_inequality([1.0, 2.0], 4.0);
+        program.add_inequality([3.0, 1.0], 6.0);
         let x = program.minimize(&[1.0, 1.0]).expect("it has an optimum");
         assert!((x[0] - 1.6).abs() < 1e-9 && (x[1] - 1.2).abs() < 1e-9, "{x:?}");
     }
@@ -141,8 +141,8 @@ mod tests {
     #[test]
     fn inequalities_that_contradict_have_no_optimum() {
         let mut program = Program::with_room(1, 2);
-        program.at_least([1.0], 2.0);
-        program.at_least([-1.0], -1.0);
+        program.add_inequality([1.0], 2.0);
+        program.add_inequality([-1.0], -1.0);
         assert_eq!(program.minimize(&[1.0]), None);
     }
 }
