@@ -1,4 +1,5 @@
-//! First rows and names that may be meant otherwise, and numbers that doubles do not hold: read with a line that says so.
+//! First rows and names that may be meant otherwise, and numbers that doubles do not hold: read with a line that says
+//! so.
 
 use super::*;
 
