@@ -21,6 +21,14 @@ enum Style {
     Whole,
     /// Numbers with all their places.
     Real,
+    /// Whole numbers of a grid that is large beside the number of vectors.
+    Grid,
+    /// Numbers with all their places and one exponent.
+    OneExponent(i32),
+    /// Neighbours of one number, of either sign.
+    Cluster(f64),
+    /// Numbers about 1, of which the last of a vector are by this power of two smaller: flat but for that.
+    Thin(i32),
     /// Whole numbers and their neighbours.
     Ulps,
     /// Whole numbers, and others of sizes between 1e-12 and 1e12.
@@ -45,7 +53,16 @@ fn exponent(dice: &mut Dice) -> i32 {
 impl Style {
     fn of(dice: &mut Dice, population: Population) -> Self {
         match population {
-            Population::Ordinary => *dice.choose(&[Self::Whole, Self::Whole, Self::Real, Self::Ulps, Self::Mixed]),
+            Population::Ordinary => match dice.below(9) {
+                0 | 1 => Self::Whole,
+                2 => Self::Real,
+                3 => Self::Ulps,
+                4 => Self::Mixed,
+                5 => Self::Grid,
+                6 => Self::OneExponent(dice.below(80) as i32 - 40),
+                7 => Self::Cluster(*dice.choose(&[1.0, 0.1, 1.0 / 3.0, 3.0])),
+                _ => Self::Thin(10 + dice.below(30) as i32),
+            },
             Population::AnySize => match dice.below(6) {
                 0 => Self::Wide,
                 1 => Self::Scaled(exponent(dice)),
@@ -62,6 +79,16 @@ impl Style {
             Self::Whole => whole,
             Self::Real => 2.0 * dice.unit(),
             Self::Ulps => *dice.choose(&[whole, whole, whole.next_up(), whole.next_down()]),
+            Self::Grid => dice.below(121) as f64 - 60.0,
+            Self::OneExponent(exponent) => {
+                let factor = 1.5 + dice.unit() / 2.0;
+                scaled(if dice.one_in(2) { factor } else { -factor }, exponent)
+            }
+            Self::Cluster(number) => {
+                let near = (0..dice.below(4)).fold(number, |near, _| near.next_up());
+                if dice.one_in(3) { -near } else { near }
+            }
+            Self::Thin(_) => dice.unit(),
             Self::Mixed if dice.one_in(3) => whole,
             Self::Wide if dice.one_in(2) => whole,
             Self::Wide => scaled(dice.unit(), exponent(dice)),
@@ -91,7 +118,11 @@ fn scaled(factor: f64, exponent: i32) -> f64 {
 }
 
 fn vector(dice: &mut Dice, style: Style, dimension: usize) -> Vec<f64> {
-    (0..dimension).map(|_| style.number(dice)).collect()
+    let mut numbers: Vec<f64> = (0..dimension).map(|_| style.number(dice)).collect();
+    if let (Style::Thin(exponent), Some(last)) = (style, numbers.last_mut()) {
+        *last = scaled(*last, -exponent);
+    }
+    numbers
 }
 
 /// Some vectors; now and then two are parallel, or all are flat.
@@ -100,6 +131,11 @@ fn vectors(dice: &mut Dice, style: Style, dimension: usize, count: usize) -> Vec
     if count > 1 && dice.one_in(4) {
         let factor = *dice.choose(&[-2.0, -1.0, 1.0, 0.5]);
         list[0] = list[1].iter().map(|x| x * factor).collect();
+    }
+    if count > 2 && dice.one_in(6) {
+        // the neighbours of another one
+        list[2] = list[1].iter().map(|x| if dice.one_in(2) { x.next_up() } else { *x }).collect();
+        list[2].iter_mut().for_each(|x| *x = x.clamp(-f64::MAX, f64::MAX));
     }
     if dimension > 1 && dice.one_in(8) {
         list.iter_mut().for_each(|v| v[dimension - 1] = 0.0);
@@ -122,17 +158,22 @@ fn body(dice: &mut Dice, style: Style, dimension: usize, count: usize) -> Value 
 
 fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
     let space = dimension.min(3);
-    let count = dice.below(5);
+    let count = if dice.one_in(6) { 5 + dice.below(3) } else { dice.below(5) };
     let some = count.max(1);
     match kind {
         "member" => {
             let point = json!(vector(dice, style, dimension));
             with(body(dice, style, dimension, count), "point", point)
         }
-        "intersect" => json!({"a": body(dice, style, dimension, count), "b": body(dice, style, dimension, 4 - count)}),
-        "distance" => json!({"a": body(dice, style, space, count), "b": body(dice, style, space, 5 - count)}),
+        "intersect" => {
+            let a = body(dice, style, dimension, count);
+            json!({"a": a, "b": body(dice, style, dimension, 4_usize.saturating_sub(count))})
+        }
+        "distance" => {
+            json!({"a": body(dice, style, space, count), "b": body(dice, style, space, 5_usize.saturating_sub(count))})
+        }
         "collide" => {
-            let (a, b) = (body(dice, style, 3, count), body(dice, style, 3, 4 - count));
+            let (a, b) = (body(dice, style, 3, count), body(dice, style, 3, 4_usize.saturating_sub(count)));
             let mut motion = json!({"a": pieces(dice)});
             if dice.one_in(2) {
                 motion["b"] = pieces(dice);
@@ -140,11 +181,11 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             json!({"a": a, "b": b, "motion": motion})
         }
         "mesh" => {
-            let input = json!({"a": mesh(dice, style, some), "b": mesh(dice, style, 5 - some)});
+            let input = json!({"a": mesh(dice, style, some), "b": mesh(dice, style, 6 - some.min(5))});
             if dice.one_in(2) { with(input, "pairs", json!(true)) } else { input }
         }
         "hausdorff" => {
-            let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4 - count));
+            let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4_usize.saturating_sub(count)));
             // Of some pairs the second body is the first one and more.
             if dice.one_in(4) {
                 let lists = [&a, &b].map(|body| body["generators"].as_array().cloned().unwrap_or_default());
@@ -185,7 +226,7 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
         "min_length_dirs" => {
             let weights: Vec<f64> = (0..some).map(|_| dice.below(4) as f64).collect();
             json!({
-                "points": vectors(dice, style, space, 1 + count % 3), "directions": vectors(dice, style, space, some),
+                "points": vectors(dice, style, space, 1 + count), "directions": vectors(dice, style, space, some),
                 "weights": weights
             })
         }

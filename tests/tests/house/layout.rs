@@ -39,7 +39,9 @@ fn dependencies_point_down() {
     for folder in FOLDERS {
         let text = std::fs::read_to_string(root().join(folder).join("Cargo.toml")).expect("a member has a manifest");
         let manifest: toml::Table = text.parse().expect("a manifest is TOML");
-        let name = manifest["package"]["name"].as_str().expect("a package has a name").to_owned();
+        // others name a library by its crate, which a registry may know by another name
+        let named = manifest.get("lib").and_then(|lib| lib.get("name")).unwrap_or(&manifest["package"]["name"]);
+        let name = named.as_str().expect("a package has a name").to_owned();
         let own = level(&name).expect("every member has its level");
         for table in ["dependencies", "dev-dependencies", "build-dependencies"] {
             let Some(dependencies) = manifest.get(table).and_then(toml::Value::as_table) else { continue };

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
 use super::answer::FreeInterval;
-use super::gap::{Direction, Solid, gap};
+use super::gap::{Direction, Ends, Solid, gap};
 use super::path::Path;
 use crate::exact::grid::Grid;
 use crate::verdict::Stop;
@@ -16,10 +16,13 @@ const MOST_BISECTIONS: usize = 12;
 pub(super) const MOST_WORK: u64 = 20_000_000;
 
 /// The number of bits of a generator's product that make it take as long again.
-const BITS_A_STEP: usize = 512;
+const BITS_A_STEP: usize = 640;
 
 /// The note where that work is used up.
 const TOO_MUCH: &str = "the gaps of the intervals take too much exact work";
+
+/// The note where a gap is narrower than sines and cosines are enclosed.
+const TOO_FINE: &str = "a gap is narrower than the enclosures of the motion's sines and cosines show";
 
 /// Two moving bodies.
 pub(super) struct Pair {
@@ -70,7 +73,7 @@ impl Pair {
         (a.only_turns() && b.is_rest()) || (a.is_rest() && b.only_turns())
     }
 
-    /// Whether a part is free by its coefficients; an error where there is no gap at one of its ends.
+    /// Whether a part is free by its coefficients; an error where there is no gap at one of its ends, or none is shown.
     fn is_free(
         &self,
         times: [&IBig; 2],
@@ -92,10 +95,11 @@ impl Pair {
         let cost = (generators + 16) * direction.cost() * step * step;
         *work = work.checked_sub(cost).ok_or_else(|| Stop::Unchecked(TOO_MUCH.to_owned()))?;
         let gap = gap(self.solids.each_ref(), [a, b], direction, self.is_one_turn());
-        if !gap.is_open_at_the_ends() {
-            return Err(unproved(interval).into());
+        match gap.at_the_ends() {
+            Ends::Open => Ok(gap.is_positive()),
+            Ends::Closed => Err(unproved(interval).into()),
+            Ends::InDoubt => Err(Stop::Unchecked(TOO_FINE.to_owned())),
         }
-        Ok(gap.is_positive())
     }
 }
 

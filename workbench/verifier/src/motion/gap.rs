@@ -84,6 +84,18 @@ pub(super) struct Gap {
     scale: Polynomial,
     /// The most that the gap may be less where the motion puts the bodies, in units of 2^-[`MARGIN_PLACES`].
     margin: IBig,
+    /// The same at either end of the stretch, where it is less or more by no more than this.
+    margins_at_the_ends: [IBig; 2],
+}
+
+/// The gap along a direction at the ends of a stretch.
+pub(super) enum Ends {
+    /// There is a gap at both ends.
+    Open,
+    /// There is none at one of them.
+    Closed,
+    /// At one of them the gap is less than the placements are off.
+    InDoubt,
 }
 
 /// The places after the point of a margin: those of the angle, the reach and the length of the direction.
@@ -100,9 +112,21 @@ impl Gap {
         polynomial::is_positive(&polynomial::sum(&[fine, margin]))
     }
 
-    /// Whether there is a gap at both ends, as the bodies are placed.
-    pub(super) fn is_open_at_the_ends(&self) -> bool {
-        [self.placed.first(), self.placed.last()].iter().all(|end| end.is_some_and(|c| *c > IBig::ZERO))
+    /// The gap at the ends of the stretch, where the motion puts the bodies.
+    pub(super) fn at_the_ends(&self) -> Ends {
+        let mut ends = Ends::Open;
+        let values = [(self.placed.first(), self.scale.first()), (self.placed.last(), self.scale.last())];
+        for ((placed, scale), margin) in values.into_iter().zip(&self.margins_at_the_ends) {
+            let (Some(placed), Some(scale)) = (placed, scale) else { return Ends::Closed };
+            let (placed, margin) = (placed << MARGIN_PLACES, scale * margin);
+            if placed <= -&margin {
+                return Ends::Closed;
+            }
+            if placed <= margin {
+                ends = Ends::InDoubt;
+            }
+        }
+        ends
     }
 }
 
@@ -120,16 +144,16 @@ impl Seen {
     }
 }
 
-/// The bound from above of how far points of both bodies together are off their places, in units of 2^-128.
+/// The bound from above of how far points of both bodies together are off their places, in units of 2^-192.
 pub(super) fn displacement([first, second]: [&Solid; 2], [a, b]: [&Stretch; 2]) -> IBig {
     &first.reach * a.angle_off() + &second.reach * b.angle_off()
 }
 
 /// The bound from above of how much less the gap along a direction may be where the motion puts the bodies, in units of
-/// 2^-[`MARGIN_PLACES`]. Of one turn alone, the bound is that of its ends.
-fn margin(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction, is_one_turn: bool) -> IBig {
+/// 2^-[`MARGIN_PLACES`], where its stretches are off by angles.
+fn margin(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction, angles: [IBig; 2]) -> IBig {
     let of_body = |i: usize| {
-        let off = if is_one_turn { stretches[i].ends_off.clone() } else { stretches[i].angle_off() };
+        let off = angles[i].clone();
         if off == IBig::ZERO {
             return off;
         }
@@ -163,10 +187,12 @@ pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Dir
     let of_a = seen_by_a.measured(|u| -(&b.weight * (dot(u, &arms[0]) + &a.weight * reach(0, u))));
     let of_b = seen_by_b.measured(|u| &a.weight * (dot(u, &arms[1]) - &b.weight * reach(1, u)));
     let weight = &a.weight * &b.weight;
+    let off_by = |angles: [IBig; 2]| margin(bodies, stretches, direction, angles);
     Gap {
         placed: polynomial::sum(&[bases, of_a, of_b]),
         scale: both.iter().map(|c| c * &weight).collect(),
-        margin: margin(bodies, stretches, direction, is_one_turn),
+        margin: off_by(stretches.map(if is_one_turn { Stretch::end_off } else { Stretch::angle_off })),
+        margins_at_the_ends: [0, 1].map(|end| off_by(stretches.map(|stretch| stretch.ends_off[end].clone()))),
     }
 }
 

@@ -34,9 +34,9 @@ struct Placed {
     question: Displaced,
     /// A positive number of units of lengths.
     scale: IBig,
-    /// For each body, a bound of the angle by which it is off, in units of 2^-96.
+    /// For each body, a bound of the angle by which it is off, in units of 2^-160.
     angles_off: [IBig; 2],
-    /// A bound of how far points of both together are off, in units of 2^-128 of those of lengths.
+    /// A bound of how far points of both together are off, in units of 2^-192 of those of lengths.
     off: IBig,
     /// The number of generators of the first body.
     first: usize,

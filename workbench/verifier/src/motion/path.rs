@@ -184,7 +184,7 @@ impl Piece {
             base: [gone(from), gone(to)],
             arm: multiple(&length, &self.arm),
             weight: length * &self.weight,
-            ends_off: IBig::ZERO,
+            ends_off: [IBig::ZERO, IBig::ZERO],
             chord: IBig::ZERO,
             axis: None,
         })

@@ -16,8 +16,8 @@ pub(super) struct Stretch {
     pub(super) arm: Vector,
     /// W.
     pub(super) weight: IBig,
-    /// The bound of the angle at the ends, in units of 2^-96.
-    pub(super) ends_off: IBig,
+    /// The bound of the angle at either end, in units of 2^-160.
+    pub(super) ends_off: [IBig; 2],
     /// By how much the angle between the ends may be farther off.
     pub(super) chord: IBig,
     /// The axis about which a motion turns at constant rate.
@@ -25,9 +25,15 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// The bound of the angle, in units of 2^-96.
+    /// The bound of the angle, in units of 2^-160.
     pub(super) fn angle_off(&self) -> IBig {
-        &self.ends_off + &self.chord
+        self.end_off() + &self.chord
+    }
+
+    /// The bound of the angle at both ends.
+    pub(super) fn end_off(&self) -> IBig {
+        let [first, last] = &self.ends_off;
+        first.max(last).clone()
     }
 }
 

@@ -159,15 +159,32 @@ fn a_contact_by_its_coefficients() {
 #[test]
 fn a_contact_at_constant_rate_is_strictly_inside() {
     let quarter = at_constant_rate(std::f64::consts::FRAC_PI_2);
-    let at_start = |x: f64, coefficients: [f64; 6], basis: &[usize]| {
-        let end = Encounter::Contact { time: [0.0, 0.0], coefficients: coefficients.to_vec(), basis: basis.to_vec() };
+    // the other cube comes so fast that it is clear of the turning one just before the end
+    let (coming, until) = (moved([-4096.0, 0.0, 0.0]), 1.0 - 1.0 / 1024.0);
+    let at_the_end = |x: f64, [of_a, of_b]: [f64; 2], basis: &[usize]| {
+        // the quarter turn takes the second edge of the cube to the first axis reversed
+        let coefficients = vec![0.0, -of_a, 0.0, of_b, 0.0, 0.0];
+        let end = Encounter::Contact { time: [until, 1.0], coefficients, basis: basis.to_vec() };
+        let before = vec![free(0.0, until, MovingDirection::Space(X))];
+        verdict([ORIGIN, [4096.0 + x, 0.0, 0.0]], [&quarter, &coming], before, end).is_right()
+    };
+    assert!(at_the_end(1.5, [0.5, 1.0], &[0, 1, 2]));
+    assert!(!at_the_end(1.5, [0.5, 1.0], &[0, 1]), "placements that are enclosed have a basis of three");
+    assert!(at_the_end(2.0, [1.0, 1.0], &[0, 1, 2]), "the double below a quarter turn leaves an overlap of 6e-17");
+    assert!(!at_the_end(2.0 + 2f64.powi(-40), [1.0, 1.0], &[0, 1, 2]), "not inside");
+    assert!(!at_the_end(1.5, [0.6, 1.0], &[0, 1, 2]), "written otherwise");
+}
+
+#[test]
+fn a_contact_before_any_turn_is_where_the_bodies_are() {
+    let quarter = at_constant_rate(std::f64::consts::FRAC_PI_2);
+    let at_start = |x: f64, first: f64| {
+        let coefficients = vec![first, 0.0, 0.0, 1.0, 0.0, 0.0];
+        let end = Encounter::Contact { time: [0.0, 0.0], coefficients, basis: vec![0, 1, 2] };
         verdict([ORIGIN, [x, 0.0, 0.0]], [&quarter, &Motion::Rest], Vec::new(), end).is_right()
     };
-    let half = [0.5, 0.0, 0.0, 1.0, 0.0, 0.0];
-    assert!(at_start(1.5, half, &[0, 1, 2]));
-    assert!(!at_start(1.5, half, &[0, 1]), "placements that are enclosed have a basis of three");
-    assert!(!at_start(2.0, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], &[0, 1, 2]), "not strictly inside");
-    assert!(!at_start(1.5, [0.6, 0.0, 0.0, 1.0, 0.0, 0.0], &[0, 1, 2]), "written otherwise");
+    assert!(at_start(1.5, 0.5) && at_start(2.0, 1.0), "no turn is not rounded");
+    assert!(!at_start(1.5, 0.6) && !at_start(2.0_f64.next_up(), 1.0));
 }
 
 #[test]

@@ -35,11 +35,12 @@ use super::root::{quotient_above, root_above};
 use super::stretch::{Axis, Stretch};
 use crate::exact::grid::Grid;
 
-/// The places after the point of the ends of a stretch.
-const END_PLACES: usize = 80;
+/// The places after the point of the ends of a stretch: the double next to half a turn misses it by 2^-53, and the
+/// cosine there misses −1 by the square of that, a gap that is shown.
+const END_PLACES: usize = 144;
 
 /// The places after the point of bounds of angles.
-pub(super) const ANGLE_PLACES: usize = 96;
+pub(super) const ANGLE_PLACES: usize = 160;
 
 /// The largest angle of a stretch is 8 / 5: more than a quarter turn, and cos(2 / 5) is more than 0.9.
 const LARGEST_ANGLE: [u32; 2] = [8, 5];
@@ -108,12 +109,15 @@ impl Turning {
         let base = [from, to].map(|time| sum(&multiple(&weight, &self.point), &multiple(time, &self.travel)));
         let arm = multiple(&-&weight, &self.point);
         if self.angle == IBig::ZERO {
-            let (ends_off, chord) = (IBig::ZERO, IBig::ZERO);
+            let (ends_off, chord) = ([IBig::ZERO, IBig::ZERO], IBig::ZERO);
             return Stretch { turns: vec![identity()], base, arm, weight, ends_off, chord, axis: None };
         }
         let mut turns = vec![self.turned(from, places)];
-        // Rounding to 2^-80 leaves an end within 2^-78, see `turned`.
-        let ends_off = IBig::ONE << (ANGLE_PLACES - END_PLACES + 4);
+        // Rounding to 2^-144 leaves an end within 2^-142, see `turned`; no turn is not rounded.
+        let off = |time: &IBig| {
+            if *time == IBig::ZERO { IBig::ZERO } else { IBig::ONE << (ANGLE_PLACES - END_PLACES + 4) }
+        };
+        let ends_off = [off(from), off(to)];
         let mut chord = IBig::ZERO;
         if from != to {
             turns.push(self.turned(to, places));
@@ -135,8 +139,8 @@ impl Turning {
     }
 
     /// The quaternion at a time, times a power of two: (c, m · axis) with c and m times the length of the axis within
-    /// 2^(1 − 80) of cosine and sine. They are rounded by at most 2^-80; the error of both and that of the length,
-    /// 2^-86 of it, are far less. Together they are within η = 2^(2 − 80).
+    /// 2^(1 − 144) of cosine and sine. They are rounded by at most 2^-144; the error of both and that of the length,
+    /// 2^-150 of it, are far less. Together they are within η = 2^(2 − 144).
     fn turned(&self, time: &IBig, places: usize) -> Quaternion {
         let [sine, cosine] = self.quarter.sine_and_cosine(&(time * &self.angle), places + self.angle_places + 1);
         let cosine = (cosine >> (SINE_PLACES - END_PLACES)) << self.axis_bits;

@@ -1,6 +1,6 @@
 //! The volumes of all nodes of a tree, from the leaves up: for a build and after a deformation.
 
-use super::build::Topology;
+use super::build::{Node, Topology};
 use super::volume::BoundingVolume;
 use super::volumes::aabb::Aabb;
 use crate::hull::in_space::hull_corners;
@@ -8,6 +8,10 @@ use crate::numeric::linear::euclidean_norm;
 
 /// Fewer points than this go to a fit as they are: their hull would cost more than it spares.
 const FEWEST_POINTS_OF_A_HULL: usize = 20;
+
+/// Nodes of fewer triangles than this are fitted by one thread.
+#[cfg(feature = "parallel")]
+const FEWEST_TRIANGLES_OF_A_TASK: usize = 64;
 
 /// The volume of each node that `fit` makes of its points and its position, and half the diagonal of its box.
 ///
@@ -17,34 +21,63 @@ pub(super) fn volumes<V: BoundingVolume>(
     topology: &Topology,
     points: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    fit: impl Fn(&[[f64; 3]], usize) -> V,
+    fit: impl Fn(&[[f64; 3]], usize) -> V + Sync,
 ) -> (Vec<V>, Vec<f64>) {
-    let count = topology.nodes.len();
-    let mut fitted: Vec<Option<V>> = vec![None; count];
-    let mut sizes = vec![0.0; count];
-    // corners of the hulls of nodes whose parents are still to come
-    let mut hulls: Vec<Vec<[f64; 3]>> = vec![Vec::new(); if V::IS_FITTED_TO_HULL { count } else { 0 }];
-    for at in (0..count).rev() {
-        let node = &topology.nodes[at];
-        let corners = match node.children(at).filter(|_| V::IS_FITTED_TO_HULL) {
+    let mut fitted: Vec<Option<(V, f64)>> = vec![None; topology.nodes.len()];
+    Nodes { topology, points, triangles, fit }.fit_from(0, &mut fitted);
+    fitted.into_iter().map(|volume| volume.expect("every node was fitted")).unzip()
+}
+
+/// The nodes of a tree with the points of its triangles.
+struct Nodes<'a, F> {
+    topology: &'a Topology,
+    points: &'a [[f64; 3]],
+    triangles: &'a [[u32; 3]],
+    fit: F,
+}
+
+impl<F> Nodes<'_, F> {
+    /// Fits a node and all below it, for which there is a place each in the order of the nodes, and returns corners
+    /// with the hull of the node's points.
+    fn fit_from<V: BoundingVolume>(&self, at: usize, places: &mut [Option<(V, f64)>]) -> Vec<[f64; 3]>
+    where
+        F: Fn(&[[f64; 3]], usize) -> V + Sync,
+    {
+        let node = &self.topology.nodes[at];
+        let below = match node.children(at) {
             Some([left, right]) => {
-                let mut corners = std::mem::take(&mut hulls[left]);
-                corners.append(&mut std::mem::take(&mut hulls[right]));
+                let (of_left, of_right) = places[1..].split_at_mut(right - left);
+                let (mut corners, mut others) =
+                    join(node.range().len(), || self.fit_from(left, of_left), || self.fit_from(right, of_right));
+                corners.append(&mut others);
                 corners
             }
-            None => {
-                let below = topology.order[node.range()].iter().flat_map(|&triangle| triangles[triangle as usize]);
-                below.map(|vertex| points[vertex as usize]).collect()
-            }
+            None => self.corners_below(node),
         };
-        let corners = if V::IS_FITTED_TO_HULL { on_hull(corners) } else { corners };
-        sizes[at] = euclidean_norm(&Aabb::around(&corners, 0).half());
-        fitted[at] = Some(fit(&corners, at));
-        if V::IS_FITTED_TO_HULL {
-            hulls[at] = corners;
-        }
+        let corners = match V::IS_FITTED_TO_HULL {
+            true => on_hull(below),
+            false => below,
+        };
+        let size = euclidean_norm(&Aabb::around(&corners, 0).half());
+        places[0] = Some(((self.fit)(&corners, at), size));
+        corners
     }
-    (fitted.into_iter().map(|volume| volume.expect("every node was fitted")).collect(), sizes)
+
+    fn corners_below(&self, node: &Node) -> Vec<[f64; 3]> {
+        let below = self.topology.order[node.range()].iter().flat_map(|&triangle| self.triangles[triangle as usize]);
+        below.map(|vertex| self.points[vertex as usize]).collect()
+    }
+}
+
+/// Two tasks over the two parts of so many triangles, side by side where the crate is built for that and they are
+/// worth it. The results do not depend on it.
+fn join<A: Send, B: Send>(triangles: usize, a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    if triangles >= FEWEST_TRIANGLES_OF_A_TASK {
+        return rayon::join(a, b);
+    }
+    let _ = triangles;
+    (a(), b())
 }
 
 /// Points with the hull of all, each once.

@@ -53,7 +53,7 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
 
 /// V1 V2 + 2 V3 of a zonotope: V1 is twice the total half-length, V2 and V3 the sums of areas and volumes of the
 /// parallelograms and parallelepipeds of its generators.
-pub(super) fn expected_overlaps_of_generators(generators: &[[f64; 3]]) -> f64 {
+pub(in crate::bvh) fn expected_overlaps_of_generators(generators: &[[f64; 3]]) -> f64 {
     use crate::numeric::linear::{cross, dot, euclidean_norm};
     let (mut length, mut area, mut volume) = (0.0, 0.0, 0.0);
     for (k, c) in generators.iter().enumerate() {

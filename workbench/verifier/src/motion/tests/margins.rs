@@ -46,6 +46,33 @@ fn one_turn_beside_a_body_at_rest_has_no_margin() {
 }
 
 #[test]
+fn a_gap_narrower_than_the_sines_that_show_it_is_not_called_false() {
+    // a point turns by the double below half a turn, and its cosine misses 1 by 7.5e-33
+    let half = turn(Z, std::f64::consts::PI, ORIGIN);
+    let beside = |x: f64| {
+        let bodies = [[-1.0, 0.0, 0.0], [x, 0.0, 0.0]];
+        told(bodies, &[], [&half, &Motion::Rest], MovingDirection::Space(X))
+    };
+    assert!(beside(1.0_f64.next_up()).is_right());
+    assert!(beside(1.0).is_right());
+    assert!(beside(1.0_f64.next_down()).is_wrong());
+    // a point turns by 1, and a segment reaches the cosine of 1 but for 1e-48 of it
+    let one = turn(Z, 1.0, ORIGIN);
+    let parts = [0.5403023058681397, 6.341275633647147e-17, 9.579366874489214e-33];
+    let reaching = |last: f64| {
+        let point = MovingBody { center: &X, generators: &[], motion: &one };
+        let (center, generators) = ([parts[0], 0.0, 0.0], [parts[1], last].map(|part| vec![part, 0.0, 0.0]));
+        let segment = MovingBody { center: &center, generators: &generators, motion: &Motion::Rest };
+        let intervals = vec![free(0.0, 1.0, MovingDirection::Space([-1.0, 0.0, 0.0]))];
+        let answer = FirstContactAnswer { encounter: Encounter::Separate, intervals };
+        check_first_contact([point, segment], 0.5, &answer).in_words()
+    };
+    assert!(reaching(parts[2] * 0.99).is_right());
+    assert!(matches!(reaching(parts[2]), Verdict::Unchecked(_)), "{:?}", reaching(parts[2]));
+    assert!(reaching(parts[2] * 1.01).is_wrong());
+}
+
+#[test]
 fn one_turn_has_no_margin_whichever_body_turns() {
     let points = |gap: f64, motions: [&Motion; 2]| {
         told([[1.0 + gap, 0.0, 0.0], X], &[], motions, MovingDirection::Space([-1.0, 0.0, 0.0]))

@@ -40,7 +40,7 @@
 
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot};
-use crate::numeric::linear::{dot as dot_of_doubles, euclidean_norm, sum_norm};
+use crate::numeric::linear::{dot as dot_of_doubles, euclidean_norm};
 use crate::numeric::tolerance::TRIANGLE_DISTANCE;
 
 /// The edges of a triangle by their ends.
@@ -56,7 +56,8 @@ pub(crate) fn bounds(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], size: f64, error: f64
     let highest = heights(a).into_iter().fold(f64::NEG_INFINITY, f64::max);
     let lowest = heights(b).into_iter().fold(f64::INFINITY, f64::min);
     let gap = (lowest - highest) / length * (1.0 - TRIANGLE_DISTANCE) - doubt;
-    let is_proved = gap > 0.0 && sum_norm(&along) > 0.0;
+    // a displacement within the errors proves nothing, and its length may have vanished in the squares
+    let is_proved = gap > 0.0 && length > doubt;
     [if is_proved { gap } else { 0.0 }, length * (1.0 + TRIANGLE_DISTANCE) + doubt]
 }
 
@@ -220,6 +221,14 @@ mod tests {
             ),
             9.0
         );
+    }
+
+    #[test]
+    fn a_displacement_whose_square_vanishes_proves_no_gap() {
+        // the far end of the edge takes the near one to the origin
+        let (point, near, far) = ([0.0, -5e-175, 0.0], [0.0, 5e-101, 0.0], [0.0, 0.5, 0.0]);
+        let [lower, upper] = bounds(&[point; 3], &[near, near, far], 1.0, 0.0);
+        assert!(lower == 0.0 && upper >= 5e-101, "{lower} {upper}");
     }
 
     proptest! {

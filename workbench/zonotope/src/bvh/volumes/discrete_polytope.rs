@@ -3,12 +3,21 @@
 //! A question has to know how far the polytope of the other mesh reaches along a direction that is no normal of it. The
 //! direction is a combination of three of its normals with coefficients that are not negative, the corners of the cell
 //! of the cube's symmetries in which it lies, and the reach at most the same combination of the reaches. The cells are
-//! found once a question, so that a test is a product with a matrix of three entries a row.
+//! found once a question, so that a test is a product with a matrix of three entries a row, eight rows at a time.
+
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::bvh::frame::Frame;
 use crate::bvh::volume::BoundingVolume;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::lanes::level::level_for_few;
 use crate::numeric::linear::dot;
+
+/// Rows side by side.
+const LANES: usize = 8;
+
+/// Rows of a test: at least as many as normals. What is left repeats the first normal.
+const ROWS: usize = 2 * LANES;
 
 /// Half of the normals: faces, edges and corners of the cube.
 const NORMALS: [[f64; 3]; 13] = [
@@ -36,8 +45,8 @@ const SHORTENING: [f64; 13] = {
 /// A polytope with the first N normals and their opposites: 9 of faces and edges, or all 13.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DiscretePolytope<const N: usize> {
-    /// The reaches along each normal and along its opposite.
-    reaches: [[f64; 2]; N],
+    /// The reaches along each normal, then along their opposites.
+    reaches: [[f64; ROWS]; 2],
 }
 
 /// The polytope of 18 normals: faces and edges of the cube.
@@ -77,17 +86,6 @@ impl Combination {
         };
         Self { normals, coefficients: coefficients.map(|c: f64| c.max(0.0)) }
     }
-
-    /// A bound for how far a polytope reaches along the direction and along its opposite.
-    #[inline(always)]
-    fn reaches<const N: usize>(&self, polytope: &DiscretePolytope<N>) -> [f64; 2] {
-        let mut reaches = [0.0; 2];
-        for ((normal, side), coefficient) in self.normals.iter().zip(self.coefficients) {
-            reaches[0] += coefficient * polytope.reaches[*normal][*side];
-            reaches[1] += coefficient * polytope.reaches[*normal][1 - *side];
-        }
-        reaches
-    }
 }
 
 /// The position of a normal in the list, and whether its opposite stands there.
@@ -98,20 +96,84 @@ fn place(normal: &[f64; 3]) -> (usize, usize) {
     (at, usize::from(NORMALS[at] != *normal))
 }
 
+/// The normals of one mesh, as the other one sees them.
+#[derive(Debug, Clone)]
+struct Rows {
+    /// The shift of the other polytope along each normal.
+    shifts: [f64; ROWS],
+    /// The three normals of each combination: which side, and the position.
+    normals: [[(u8, u8); ROWS]; 3],
+    coefficients: [[f64; ROWS]; 3],
+    shortening: [f64; ROWS],
+}
+
+impl Rows {
+    fn new<const N: usize>(seen: impl Fn(usize) -> (f64, [f64; 3])) -> Self {
+        let mut rows = Self {
+            shifts: [0.0; ROWS],
+            normals: [[(0, 0); ROWS]; 3],
+            coefficients: [[0.0; ROWS]; 3],
+            shortening: [0.0; ROWS],
+        };
+        for row in 0..ROWS {
+            let normal = if row < N { row } else { 0 };
+            let (shift, direction) = seen(normal);
+            let combination = Combination::of::<N>(&direction);
+            rows.shifts[row] = shift;
+            rows.shortening[row] = SHORTENING[normal];
+            for (part, ((at, side), c)) in combination.normals.into_iter().zip(combination.coefficients).enumerate() {
+                rows.normals[part][row] = (side as u8, at as u8);
+                rows.coefficients[part][row] = c;
+            }
+        }
+        rows
+    }
+
+    /// The largest gap along the normals of `ours`, both polytopes scaled.
+    #[inline(always)]
+    fn gap<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        (ours, scale): (&DiscretePolytope<N>, f64),
+        (theirs, their_scale): (&DiscretePolytope<N>, f64),
+    ) -> f64 {
+        let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
+        for block in 0..ROWS / LANES {
+            let from = block * LANES;
+            let in_block = |list: &[f64; ROWS]| f64x8::from_slice(simd, &list[from..from + LANES]);
+            let mut reaches = [f64x8::splat(simd, 0.0); 2];
+            for (normals, coefficients) in self.normals.iter().zip(&self.coefficients) {
+                let coefficients = in_block(coefficients);
+                for (opposite, reach) in reaches.iter_mut().enumerate() {
+                    let mut gathered = [0.0; LANES];
+                    for (to, (side, at)) in gathered.iter_mut().zip(&normals[from..from + LANES]) {
+                        *to = theirs.reaches[(*side as usize ^ opposite) & 1][*at as usize % ROWS];
+                    }
+                    *reach += coefficients * f64x8::from_slice(simd, &gathered);
+                }
+            }
+            let [forth, back] = reaches.map(|reach| reach * their_scale);
+            let [ahead, behind] = ours.reaches.each_ref().map(|list| in_block(list) * scale);
+            let shift = in_block(&self.shifts);
+            let gap = (shift - back - ahead).max(-(behind + shift + forth));
+            largest = largest.max(gap * in_block(&self.shortening));
+        }
+        largest.as_slice().iter().fold(f64::NEG_INFINITY, |largest, &gap| if gap > largest { gap } else { largest })
+    }
+}
+
 /// The normals of both meshes, as the other one sees them.
 #[derive(Debug, Clone)]
-pub struct TurnedNormals<const N: usize> {
+pub struct TurnedNormals {
     ratio: f64,
-    /// Of the first mesh: the shift along a normal, and the normal as seen from the second mesh.
-    first: [(f64, Combination); N],
-    /// Of the second mesh likewise.
-    second: [(f64, Combination); N],
+    first: Rows,
+    second: Rows,
 }
 
 impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
     const NAME: &'static str = if N == NORMALS.len() { "26-DOP" } else { "18-DOP" };
     const IS_FITTED_TO_HULL: bool = false;
-    type Turned = TurnedNormals<N>;
+    type Turned = TurnedNormals;
 
     fn around(points: &[[f64; 3]], _effort: usize) -> Self {
         let reach = |normal: [f64; 3]| {
@@ -124,36 +186,33 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
             };
             points.iter().map(height).fold(f64::NEG_INFINITY, f64::max)
         };
-        Self { reaches: std::array::from_fn(|k| [reach(NORMALS[k]), reach(NORMALS[k].map(|c| 0.0 - c))]) }
+        let of_normals = |sign: f64| -> [f64; ROWS] {
+            let first = reach(NORMALS[0].map(|c| 0.0 + sign * c));
+            let other = |row: usize| if row < N { reach(NORMALS[row].map(|c| 0.0 + sign * c)) } else { first };
+            std::array::from_fn(|row| if row == 0 { first } else { other(row) })
+        };
+        Self { reaches: [of_normals(1.0), of_normals(-1.0)] }
     }
 
-    fn turned(frame: &Frame) -> TurnedNormals<N> {
+    fn turned(frame: &Frame) -> TurnedNormals {
         let back = frame.inverse_rotation;
         let forth = [0, 1, 2].map(|k| back.map(|row| row[k]));
         let seen = |by: &[[f64; 3]; 3], normal: &[f64; 3]| by.each_ref().map(|row| dot(row, normal));
-        let first = |k: usize| (dot(&NORMALS[k], &frame.shift), Combination::of::<N>(&seen(&back, &NORMALS[k])));
-        let second = |k: usize| {
+        let first = Rows::new::<N>(|k| (dot(&NORMALS[k], &frame.shift), seen(&back, &NORMALS[k])));
+        let second = Rows::new::<N>(|k| {
             let normal = seen(&forth, &NORMALS[k]);
-            (dot(&normal, &frame.shift), Combination::of::<N>(&normal))
-        };
-        TurnedNormals { ratio: frame.ratio, first: std::array::from_fn(first), second: std::array::from_fn(second) }
+            // the first polytope as the second one sees it is shifted back
+            (-dot(&normal, &frame.shift), normal)
+        });
+        TurnedNormals { ratio: frame.ratio, first, second }
     }
 
     #[inline]
-    fn gap(&self, other: &Self, turned: &TurnedNormals<N>) -> f64 {
-        let mut gap = f64::NEG_INFINITY;
-        for (k, shortening) in SHORTENING.iter().enumerate().take(N) {
-            let (shift, combination) = &turned.first[k];
-            let [forth, back] = combination.reaches(other).map(|reach| turned.ratio * reach);
-            let [ahead, behind] = self.reaches[k];
-            let along_first = (shift - back - ahead).max(-behind - shift - forth);
-            let (shift, combination) = &turned.second[k];
-            let [ahead, behind] = combination.reaches(self);
-            let [forth, back] = other.reaches[k].map(|reach| turned.ratio * reach);
-            let along_second = (shift - back - ahead).max(-behind - shift - forth);
-            gap = gap.max(along_first.max(along_second) * shortening);
-        }
-        gap
+    fn gap(&self, other: &Self, turned: &TurnedNormals) -> f64 {
+        dispatch!(level_for_few(), simd => {
+            let [ours, theirs] = [(self, 1.0), (other, turned.ratio)];
+            turned.first.gap(simd, ours, theirs).max(turned.second.gap(simd, theirs, ours))
+        })
     }
 
     fn contains(&self, point: &[f64; 3]) -> bool {
@@ -161,7 +220,8 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
             let [x, y, z] = [0, 1, 2].map(|k| Dyadic::from_f64(normal[k] * point[k]));
             x + y + z
         };
-        self.reaches.iter().zip(&NORMALS).all(|([forth, back], normal)| {
+        let [forth, back] = &self.reaches;
+        NORMALS.iter().take(N).zip(forth.iter().zip(back)).all(|(normal, (forth, back))| {
             let height = height(normal);
             height <= Dyadic::from_f64(*forth) && -height <= Dyadic::from_f64(*back)
         })
@@ -169,7 +229,7 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
 
     fn expected_overlaps(&self) -> f64 {
         // of the box of its first three normals, which is a bound from above
-        let half = |k: usize| 0.5 * (self.reaches[k][0] + self.reaches[k][1]);
+        let half = |k: usize| 0.5 * (self.reaches[0][k] + self.reaches[1][k]);
         let axes = [[half(0), 0.0, 0.0], [0.0, half(1), 0.0], [0.0, 0.0, half(2)]];
         crate::bvh::volume::expected_overlaps_of_generators(&axes)
     }

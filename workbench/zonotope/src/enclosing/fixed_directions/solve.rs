@@ -37,15 +37,26 @@ use crate::zonotope::ray_exit::FacetMap;
 /// far more.
 const EXACT_WORK_LIMIT: u64 = 1 << 25;
 
-/// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the
-/// generation that begins with the axes as normals, and returns the number of rows of the method's own program.
+/// A function that adds the normals which a method knows beforehand to the generation that begins with the axes as
+/// normals, and returns the number of rows of the method's own program.
+pub(super) trait AddNormals<const D: usize>:
+    Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>
+{
+}
+
+impl<const D: usize, F> AddNormals<D> for F where
+    F: Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>
+{
+}
+
+/// Solves a problem.
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
 pub(super) fn solve_with<const D: usize>(
     problem: &FixedDirections<'_, D>,
     tally: &mut dyn Tally,
-    add_known_normals: impl Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>,
+    add_known_normals: impl AddNormals<D>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     let span = Span::of_doubles(problem.directions());
     if let Some(departure) = first_departure(&span, problem.points()) {
@@ -66,7 +77,7 @@ fn solve_in_span<const D: usize>(
     problem: &FixedDirections<'_, D>,
     span: &Span,
     tally: &mut dyn Tally,
-    add_known_normals: &impl Fn(&Scaled<D>, &mut Generation<'_, D>, &mut dyn Tally) -> Result<usize, FixedDirectionsError>,
+    add_known_normals: &impl AddNormals<D>,
 ) -> Result<DirectedZonotope<D>, FixedDirectionsError> {
     let scaled = Scaled::new(problem, span);
     if scaled.rank == 0 {

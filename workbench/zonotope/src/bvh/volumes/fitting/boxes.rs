@@ -10,10 +10,11 @@ pub(super) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 
 const FIRST_TURN: f64 = 0.4;
 
 /// The number of angles.
-const TURNS: usize = 6;
+const TURNS: usize = 5;
 
-/// Starts of a search: the best of the frames that are looked at.
-const STARTS: usize = 2;
+/// Of no more points than these, frames along their edges are looked at instead of turned ones: the least box of a
+/// polygon has a side along an edge.
+const POINTS_OF_A_FACE: usize = 4;
 
 /// The box along orthonormal directions.
 pub(super) fn along(points: &[[f64; 3]], axes: [[f64; 3]; 3]) -> Covering {
@@ -31,16 +32,36 @@ pub(super) fn along(points: &[[f64; 3]], axes: [[f64; 3]; 3]) -> Covering {
 
 /// A box of few expected overlaps.
 pub(super) fn search(points: &[[f64; 3]]) -> Covering {
-    let mut starts: Vec<(f64, [[f64; 3]; 3])> = vec![(aim(points, &AXES), AXES)];
+    let is_face = points.len() <= POINTS_OF_A_FACE;
     let quarter = std::f64::consts::FRAC_PI_4;
     let turned = (0..3).map(|axis| turn(&AXES, axis, quarter));
-    for axes in turned.chain(frame_of_extremes(points)) {
-        starts.push((aim(points, &axes), axes));
+    let mut best = (aim(points, &AXES), AXES);
+    let mut consider = |axes: [[f64; 3]; 3]| {
+        let found = aim(points, &axes);
+        if found < best.0 {
+            best = (found, axes);
+        }
+    };
+    if is_face {
+        frames_of_edges(points).for_each(&mut consider);
+    } else {
+        turned.chain(frame_of_extremes(points)).for_each(&mut consider);
     }
-    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let improved = starts.into_iter().take(STARTS).map(|(value, axes)| improve(points, value, axes));
-    let best = improved.min_by(|a, b| a.0.total_cmp(&b.0));
-    along(points, best.expect("the axes are a start").1)
+    let (value, axes) = best;
+    along(points, if is_face { axes } else { improve(points, value, axes).1 })
+}
+
+/// The frames of an edge and the plane of a triangle, for all triples of points.
+fn frames_of_edges(points: &[[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 3]> {
+    let count = points.len();
+    let triples = (0..count).flat_map(move |i| (0..i).flat_map(move |j| (0..count).map(move |k| [i, j, k])));
+    triples.filter_map(|[i, j, k]| {
+        let away = |p: usize, q: usize| -> [f64; 3] { std::array::from_fn(|axis| points[p][axis] - points[q][axis]) };
+        let edge = away(i, j);
+        let along = unit(&edge)?;
+        let normal = unit(&cross(&along, &away(k, i)))?;
+        Some([along, normal, cross(&along, &normal)])
+    })
 }
 
 /// The expected overlaps of the box along some axes.

@@ -1,16 +1,20 @@
-//! Half-lengths along given directions around points, by the enclosing program.
+//! Half-lengths along given directions around points, by the enclosing program over all their facet normals.
 
-use crate::enclosing::fixed_directions::Generation;
+use super::normals::{Normal, heights, normals_of_pairs};
+use super::program::Program;
 use crate::numeric::linear::{cross, dot, euclidean_norm};
 
-/// The work that one program may take, in entries and products: some hundred times that of an ordinary one.
-const WORK_LIMIT: u64 = 4_000_000;
+/// Coordinates of centres are at least the opposite of this: of points at most 1, no centre is farther out.
+const FARTHEST_CENTER: f64 = 2.0;
 
 /// Programs solved with the derivatives at the answer before as weights.
-const REWEIGHTINGS: usize = 2;
+const REWEIGHTINGS: usize = 1;
 
 /// Three directions span less than this volume: they are near a plane, where the program forgets what is across it.
 const FLAT: f64 = 0.02;
+
+/// A program whose answer leaves points farther outside than this has failed.
+const LARGEST_MISS: f64 = 1e-6;
 
 /// A zonotope around points, in doubles.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,14 +61,31 @@ impl Covering {
         } else {
             vec![1.0; directions.len()]
         };
-        let mut generation = Generation::new(3, points, directions.to_vec(), weights, &mut ());
-        generation.set_precision(1e-12);
-        generation.set_work_limit(WORK_LIMIT);
-        generation.run(&mut ()).ok()?;
-        let half_lengths: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
-        let is_finite = half_lengths.iter().chain(&generation.program.center()).all(|c| c.is_finite());
-        let center = generation.program.center();
-        is_finite.then(|| Self { center, directions: directions.to_vec(), half_lengths })
+        let normals = normals_of_pairs(directions);
+        let heights = heights(points, &normals);
+        let mut program = Program::with_room(3 + directions.len(), 2 * normals.len());
+        for (Normal { unit: u, .. }, [low, high]) in normals.iter().zip(&heights) {
+            let extents = || directions.iter().map(|d| dot(d, u).abs());
+            let shift = FARTHEST_CENTER * (u[0] + u[1] + u[2]);
+            program.at_least(u.iter().copied().chain(extents()), high + shift);
+            program.at_least(u.iter().map(|c| -c).chain(extents()), -low - shift);
+        }
+        let costs: Vec<f64> = [0.0; 3].into_iter().chain(weights).collect();
+        let found = program.minimize(&costs)?;
+        let center = [0, 1, 2].map(|k| found[k] - FARTHEST_CENTER);
+        let mut half_lengths = found[3..].to_vec();
+        // what rounding left outside: the extents of unit vectors that span space add up to a good part of 1
+        let missing = normals.iter().zip(&heights).map(|(Normal { unit: u, .. }, [low, high])| {
+            let reach: f64 = directions.iter().zip(&half_lengths).map(|(d, c)| c * dot(d, u).abs()).sum();
+            let middle = dot(&center, u);
+            f64::max(high - middle, middle - low) - reach
+        });
+        let missing = missing.fold(0.0, f64::max);
+        if missing.is_nan() || missing > LARGEST_MISS {
+            return None;
+        }
+        half_lengths.iter_mut().for_each(|c| *c += 2.0 * missing);
+        Some(Self { center, directions: directions.to_vec(), half_lengths })
     }
 }
 

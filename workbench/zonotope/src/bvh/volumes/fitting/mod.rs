@@ -8,13 +8,19 @@
 //! |---|---|
 //! | `boxes` | orthogonal directions, by turning a box until no turn makes it better |
 //! | `covering` | half-lengths along given directions, by the enclosing program with weights that follow the aim |
-//! | `directions` | few directions: from a dictionary, then by changing one at a time |
+//! | `descent` | directions and half-lengths, by moving all generators as long as the aim falls |
+//! | `directions` | few directions: from dictionaries, then by descents from changed ones |
+//! | `normals` | the normals of pairs of directions, and how far points reach along them |
+//! | `program` | the least x ≥ 0 of a few inequalities, by a simplex method on a dense table |
 //!
 //! [`BoundingVolume::expected_overlaps`]: crate::bvh::BoundingVolume::expected_overlaps
 
 mod boxes;
 mod covering;
+mod descent;
 mod directions;
+mod normals;
+mod program;
 
 use self::covering::Covering;
 

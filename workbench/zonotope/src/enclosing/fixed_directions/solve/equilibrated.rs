@@ -3,8 +3,9 @@
 //!
 //! The methods in floating point solve for normals with an absolute precision, which says little of an axis along which
 //! all directions are a billionth of their length. A linear map changes neither the coefficients nor which zonotopes
-//! contain the points, and one by powers of two is exact in doubles; where it is not, because a number would leave their
-//! range, the problem stays as it is. Directions that are thin along a line that is no axis are not changed either.
+//! contain the points, and one by powers of two is exact in doubles; where it is not, because a number would leave
+//! their range, the problem stays as it is. Directions that are thin along a line that is no axis are not changed
+//! either.
 
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, Multiplier};
 use crate::enclosing::fixed_directions::problem::FixedDirections;
