@@ -51,7 +51,16 @@ impl<'a> Measured<'a> {
         Some((largest as u64, self.at(series, quantity, largest)?))
     }
 
-    /// The middle one of the numbers at a size.
+    /// The largest size, and the least and the greatest of the numbers there.
+    pub fn range_at_largest(&self, series: Series<'_>, quantity: Quantity) -> Option<(u64, [f64; 2])> {
+        let samples = self.samples(series, quantity);
+        let largest = samples.last()?.0;
+        let here = samples.into_iter().filter(|(n, _)| *n == largest).map(|(_, number)| number);
+        let range = here.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        Some((largest as u64, range))
+    }
+
+    /// The middle one of the numbers at a size, the greater one of two.
     pub fn at(&self, series: Series<'_>, quantity: Quantity, size: f64) -> Option<f64> {
         let samples = self.samples(series, quantity);
         let mut here: Vec<f64> = samples.into_iter().filter(|(n, _)| *n == size).map(|(_, number)| number).collect();

@@ -184,10 +184,12 @@ impl GrowthPlot {
     }
 
     /// The best model if its exponent lies in the interval of the samples', else the power law, which is the middle of
-    /// that interval; in words and as points of its curve. What has to read its input is not said to lie below it.
+    /// that interval; in words and as points of its curve. A model that the interval excludes is named as a bound or
+    /// as a neighbour alone, and where the interval lies on both sides of the slack the law is undecided. A quantity
+    /// that has to read its input is not said to lie below it.
     fn law(&self, growth: &Growth, floor: Option<String>) -> (String, Vec<[f64; 2]>) {
-        let is_near = |verdict| !matches!(verdict, ModelVerdict::Above | ModelVerdict::Below);
-        let near = growth.best().filter(|best| is_near(best.verdict));
+        let is_open = |verdict| !matches!(verdict, ModelVerdict::Above | ModelVerdict::Below);
+        let near = growth.best().filter(|best| is_open(best.verdict));
         let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
         let within = near.filter(|best| is_inside(best.excess_exponent));
         let exponent = growth.exponent;
@@ -204,7 +206,13 @@ impl GrowthPlot {
             Some(best) if best.model == GrowthModel::Constant => three_digits(best.constant / self.y_unit),
             Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), self.model_name(best.model)),
             None => {
-                let place = near.map(|near| format!("near {}", self.model_name(near.model)));
+                let place = near.map(|near| match near.verdict {
+                    ModelVerdict::Within if near.excess_exponent.high < 0.0 => {
+                        format!("at most {}", self.model_name(near.model))
+                    }
+                    ModelVerdict::Within => format!("within the slack of {}", self.model_name(near.model)),
+                    _ => "undecided".to_owned(),
+                });
                 let among = || place_among_models(growth, |model| self.model_name(model));
                 let floor = floor.map(|floor| format!("{floor} and lower-order terms"));
                 format!("power law, {}", floor.or(place).unwrap_or_else(among))

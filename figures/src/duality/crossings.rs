@@ -42,6 +42,12 @@ pub(super) fn write_number(scene: &mut Scene, place: PagePoint, index: usize, si
     scene.text(place.moved(0.0, 4.0 * size), Anchor::Middle, &style, &(index + 1).to_string());
 }
 
+/// Half the width and half the height of the number of a crossing.
+pub(super) fn number_box(index: usize, size: f64) -> [f64; 2] {
+    let (digits, height) = ((index + 1).to_string().len() as f64, (11.0 * size).max(text_size::LEAST));
+    [0.32 * height * digits, 0.37 * height]
+}
+
 /// Writes the numbers of a cluster beside its middle.
 fn name(scene: &mut Scene, places: &[PagePoint], cluster: &[usize]) {
     let middle = |coordinate: fn(&PagePoint) -> f64| {

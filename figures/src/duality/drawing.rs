@@ -1,7 +1,7 @@
 //! The two pictures of a [`DualPair`], in matching colours and with matching numbers.
 
 use super::DualPair;
-use super::crossings::{self, write_number};
+use super::crossings::{self, number_box, write_number};
 use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{Panel, Scene};
@@ -18,6 +18,12 @@ pub(crate) const GENERATORS: [Color; 8] = [
     Color::new(0x4b, 0x4b, 0x9e),
     Color::new(0x99, 0x4f, 0x4f),
 ];
+
+/// The sizes of the numbers of tiles, as shares of those of crossings.
+const TILE_NUMBER_SIZES: [f64; 2] = [1.0, 9.0 / 11.0];
+
+/// The gap between a number and the edges of its tile.
+const EDGE_GAP: f64 = 1.0;
 
 const SEPARATOR: Stroke = Stroke::new(INK, weight::STRONG);
 const SEPARATOR_CHAIN: Stroke = Stroke::new(INK, 6.0);
@@ -108,12 +114,27 @@ pub(crate) fn draw_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair, se
     }
 }
 
-/// Writes the numbers of the crossings on the tiles.
+/// Writes the numbers of the crossings on the tiles, smaller where the tile is narrow; tiles that are too narrow for
+/// their number at its least size have none, as it would lie on their edges.
 pub(crate) fn number_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair) {
     let frame = tiling_frame(pair, window);
     for (index, crossing) in pair.crossings.iter().enumerate() {
-        write_number(scene, frame.place(crossing.middle), index, 1.0);
+        let corners: Vec<PagePoint> = pair.tile(crossing).iter().map(|&corner| frame.place(corner)).collect();
+        let middle = frame.place(crossing.middle);
+        let size = TILE_NUMBER_SIZES.into_iter().find(|&size| has_room(&corners, middle, number_box(index, size)));
+        if let Some(size) = size {
+            write_number(scene, middle, index, size);
+        }
     }
+}
+
+/// Whether a box of this half width and half height about the middle of a convex tile keeps off its edges.
+fn has_room(corners: &[PagePoint], middle: PagePoint, [half_width, half_height]: [f64; 2]) -> bool {
+    corners.iter().zip(corners.iter().cycle().skip(1)).all(|(a, b)| {
+        let (x, y) = (b.x - a.x, b.y - a.y);
+        let away = ((middle.x - a.x) * y - (middle.y - a.y) * x).abs();
+        away >= y.abs() * half_width + x.abs() * half_height + EDGE_GAP * libm::hypot(x, y)
+    })
 }
 
 /// The line and the edges of a generator.

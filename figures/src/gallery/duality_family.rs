@@ -15,7 +15,7 @@ pub const FIGURE: Figure = Figure {
     caption: "For n = 4 to 8 generators: the lines of the generators with their n(n − 1)/2 crossings numbered from \
               left to right, the tiling of Q with the dual tiles under the same numbers, and the zonohedron whose \
               upper hull it is. Line, edges of the tiling and edges of the body that belong to one generator have one \
-              colour.",
+              colour. Tiles that are too narrow for their number have none.",
     claims: &["tiling-arrangement-duality", "upper-hull-tiling"],
     experiments: &[],
     deterministic: true,

@@ -85,11 +85,12 @@ fn draw_cell(
     directions: &[[f64; 2]],
 ) {
     let (left, top) = (CELL[0] * (number % COLUMNS) as f64, CELL[1] * (number / COLUMNS) as f64);
-    let middle = left + CELL[0] / 2.0;
+    // The rays stand on the left of heading and note.
+    let middle = left + CELL[0] / 2.0 + if directions.is_empty() { 0.0 } else { 10.0 };
     scene.heading(PagePoint::new(middle, top + 20.0), heading);
     let style = TextStyle::new(text_size::NOTE, GREY);
     scene.text(PagePoint::new(middle, top + 38.0), Anchor::Middle, &style, note);
-    let hub = PagePoint::new(left + 24.0, top + 27.0);
+    let hub = PagePoint::new(left + 22.0, top + 27.0);
     for [x, y] in directions {
         scene.segment(hub.moved(-14.0 * x, 14.0 * y), hub.moved(14.0 * x, -14.0 * y), &RAY);
     }

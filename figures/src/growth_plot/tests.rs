@@ -77,6 +77,32 @@ fn points_without_a_law_are_joined_at_the_middle_of_each_size_and_one_size_has_n
 }
 
 #[test]
+fn a_law_that_the_interval_excludes_is_named_as_a_bound_alone() {
+    let experiment = experiments::catalog::find("hull-scaling").expect("it is in the catalog");
+    let plot = GrowthPlot {
+        experiment,
+        quantity: Quantity::AllCounts,
+        families: &[("disc", None)],
+        shows: |_, _| true,
+        x_name: "n",
+        y_name: "operations",
+        y_unit: 1.0,
+        compared_with: None,
+    };
+    let law = |exponent: f64, spread: f64| {
+        let value = |k: i32| libm::exp2(exponent * f64::from(k)) * (1.0 + spread * f64::from(k % 2));
+        let samples: Vec<(f64, f64)> = (6..16).map(|k| (libm::exp2(f64::from(k)), value(k))).collect();
+        plot.law(&fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES).expect("ten sizes"), None).0
+    };
+    assert_eq!(law(1.0, 0.0), "1.00 n");
+    assert_eq!(law(0.98, 0.0), "power law, at most n");
+    assert_eq!(law(1.02, 0.0), "power law, within the slack of n");
+    assert_eq!(law(0.5, 0.0), "power law, below n");
+    assert!(law(1.0, 0.01).ends_with(" n"), "the interval has the law in it");
+    assert_eq!(law(1.05, 0.12), "power law, undecided");
+}
+
+#[test]
 fn models_are_written_with_raised_digits() {
     assert_eq!(model_name(GrowthModel::LinearLogSquared), "n log² n");
 }

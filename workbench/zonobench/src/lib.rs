@@ -93,9 +93,9 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
 /// that there is not.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
-    let command = command.mut_args(|argument| match argument.get_num_args().is_none_or(|count| count.takes_values()) {
-        true if argument.get_long().is_some() => argument.allow_negative_numbers(true),
-        _ => argument,
+    let command = command.mut_args(|argument| {
+        let is_option = argument.get_long().is_some() && argument.get_action().takes_values();
+        if is_option { argument.allow_negative_numbers(true) } else { argument }
     });
     subcommands.iter().fold(command, |command, name| command.mut_subcommand(name, with_negative_numbers))
 }

@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use batch::did_you_mean;
+use batch::{Line, did_you_mean};
 use thiserror::Error;
 
-use crate::input::{InputError, PointSource, Reading, Wanted, on_one_line};
+use crate::input::{InputError, PointSource, Reading, Wanted, json_losses, on_one_line};
 
 /// Why a command line that parses makes no sense.
 #[derive(Debug, Error, PartialEq, Eq)]
@@ -126,6 +126,14 @@ pub(super) fn read_telling(source: &PointSource, wanted: Wanted) -> Result<Readi
         tell(&on_one_line(&format!("{}: {losses}", source.file.display())));
     }
     Ok(reading)
+}
+
+/// Tells in one line which numbers of a question doubles do not hold.
+pub(super) fn tell_losses(number: u64, line: &Line) {
+    let Line::Content(text) = line else { return };
+    if let Some(losses) = json_losses(text, number) {
+        tell(&on_one_line(&losses));
+    }
 }
 
 /// Refuses inputs of which more than one is standard input.

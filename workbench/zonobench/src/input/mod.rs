@@ -90,7 +90,7 @@ impl PointSource {
         .map_err(|error| self.with_advice(error))?;
         reading.left_out.extend(skipping.in_words());
         if matches!(format, Format::Json | Format::Geojson) {
-            reading.losses = in_json::losses(&content).in_words();
+            reading.losses = json_losses(&content, 1);
         }
         if reading.points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));
@@ -115,4 +115,10 @@ impl PointSource {
         let problem = if is_offered { Problem::Missing(Box::new(error.problem)) } else { error.problem };
         InputError { problem, ..error }
     }
+}
+
+/// The numbers of a JSON document that doubles do not hold as it spells them, in words; the document begins on this
+/// line of its file.
+pub fn json_losses(text: &[u8], line: u64) -> Option<String> {
+    in_json::losses(text, line).in_words()
 }

@@ -1,5 +1,5 @@
-//! Formats by the first bytes of a content, whatever its name: a table that is none is refused by the name of the format
-//! that it has.
+//! Formats by the first bytes of a content, whatever its name: a table that is none is refused by the name of the
+//! format that it has.
 
 use super::encoding;
 use super::error::Problem;

@@ -195,6 +195,10 @@ fn numbers_that_doubles_do_not_hold_are_told_on_standard_error() {
             lines[0]
         );
     }
+    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[1,0],[0,9007199254740993]]}}"#;
+    let solved = run_with_input(Path::new("."), &["solve"], format!("{question}\n{question}\n").as_bytes());
+    assert_eq!(solved.stderr.lines().count(), 2, "{}", solved.stderr);
+    assert!(solved.stderr.lines().nth(1).is_some_and(|line| line.contains("line 2, column ")), "{}", solved.stderr);
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, content) in &contents[..3] {
         fs::write(folder.path().join(name), content).expect("written");

@@ -21,7 +21,8 @@ pub struct PointOptions {
     /// 1 leaves out a first line that holds other things than data.
     #[arg(long, value_name = "N")]
     pub skip: Option<u64>,
-    /// The first line of a table, behind those that are left out, holds data where it might be taken for something else.
+    /// The first line of a table, behind those that are left out, holds data where it might be taken for something
+    /// else.
     #[arg(long)]
     pub no_header: bool,
     /// Leave out points of which a coordinate is missing, NaN or infinite, and say how many.

@@ -12,7 +12,7 @@ use thiserror::Error;
 
 pub(super) use self::shard::{KIND, merge};
 use super::table::counted;
-use super::usage::tell;
+use super::usage::{tell, tell_losses};
 use super::{Ending, open};
 use crate::lines::Lines;
 use crate::output::check_standard_output;
@@ -91,6 +91,7 @@ pub fn answer_all(
     let mut refused = 0_u64;
     for line in Lines::new(questions, MAX_LINE_BYTES) {
         let (number, line) = line.map_err(BatchError::Read)?;
+        tell_losses(number, &line);
         let answer = batch::answer_line(number, &line, seed);
         refused += u64::from(answer.refused);
         writeln!(answers, "{}", answer.content)?;

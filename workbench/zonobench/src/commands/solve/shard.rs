@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::commands::shards::{Heading, Part, Place};
+use crate::commands::usage::tell_losses;
 use crate::commands::{Ending, Usage, open, tell};
 use crate::digest::sha256_of_reader;
 use crate::lines::Lines;
@@ -53,6 +54,7 @@ pub(super) fn run(file: &Path, out: &Path, shard: Shard, seed: u64) -> anyhow::R
     let (mut answers, mut refused) = (Vec::new(), 0);
     for (line, _) in Lines::new(open(Some(file))?, MAX_LINE_BYTES).zip(hand).filter(|(_, mine)| *mine) {
         let (number, line) = line.with_context(unreadable)?;
+        tell_losses(number, &line);
         let answer = batch::answer_line(number, &line, seed);
         refused += u64::from(answer.refused);
         let answer = Answered { line: number, refused: answer.refused, answer: answer.content.to_string() };

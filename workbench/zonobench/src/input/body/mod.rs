@@ -105,7 +105,7 @@ impl BodySource {
                 Ok(Placed { body, pose: None })
             }
             Format::Json => {
-                in_json::losses(content).in_words().iter().for_each(|losses| tell(losses));
+                in_json::losses(content, 1).in_words().iter().for_each(|losses| tell(losses));
                 document::placed(file, &parse(file, content)?, self.layout, self.options, &mut tell)
             }
             other => Err(self.holds_none(other)),

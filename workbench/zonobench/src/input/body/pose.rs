@@ -38,7 +38,7 @@ impl PoseDocument {
                 Ok(Self::Rows(rows.numbers))
             }
             None | Some(Format::Json) => {
-                in_json::losses(&content).in_words().iter().for_each(told);
+                in_json::losses(&content, 1).in_words().iter().for_each(told);
                 match parse(file, &content)? {
                     list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
                     other => Ok(Self::Object(other)),

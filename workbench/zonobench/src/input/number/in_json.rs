@@ -5,10 +5,10 @@ use super::Losses;
 use crate::input::error::Place;
 use crate::input::names;
 
-/// The losses of a document. Numbers under `properties`, where GeoJSON has what is no position, and those of fields
+/// The losses of a document that begins on this line. Numbers under `properties`, where GeoJSON has what is no position, and those of fields
 /// that number or weigh the rows are not looked at.
-pub(in crate::input) fn losses(text: &[u8]) -> Losses {
-    let mut scan = Scan { text, index: 0, line: 1, line_begins: 0, depth: 0, passed_over_from: None, key: None };
+pub(in crate::input) fn losses(text: &[u8], line: u64) -> Losses {
+    let mut scan = Scan { text, index: 0, line, line_begins: 0, depth: 0, passed_over_from: None, key: None };
     let mut losses = Losses::default();
     while let Some(&byte) = text.get(scan.index) {
         match byte {
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn numbers_that_the_parser_rounds_are_told_with_line_and_column() {
-        let told = |text: &str| losses(text.as_bytes()).in_words();
+        let told = |text: &str| losses(text.as_bytes(), 1).in_words();
         let rounded = "1 whole number has more digits than a double holds and is rounded";
         assert_eq!(
             told("[[1,2],\n [9007199254740993,0]]"),

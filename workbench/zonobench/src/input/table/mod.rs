@@ -1,5 +1,6 @@
 //! Points from a table of separated cells.
 
+mod advice;
 mod counting;
 mod decimals;
 mod header;
@@ -13,10 +14,11 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
+use self::advice::{available, joins_digits, may_be_atoms};
 use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
-use self::start::{LAST_ELEMENT, RowInDoubt, Start, Use};
+use self::start::{RowInDoubt, Start, Use};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
@@ -224,10 +226,9 @@ impl<'a> Table<'a> {
             notes.extend(names::in_another_order(&used));
         }
         if shape.is_cloud && shape.columns.is_none() && !has_header && columns == [0, 1, 2] && names.len() >= 4 {
-            notes.extend(may_be_atoms(&points).then(|| {
-                "columns 1, 2, 3 are read as coordinates; if column 1 holds atomic numbers, --columns 2,3,4 leaves it out"
-                    .to_owned()
-            }));
+            let remark = "columns 1, 2, 3 are read as coordinates; if column 1 holds atomic numbers, --columns 2,3,4 \
+                          leaves it out";
+            notes.extend(may_be_atoms(&points).then(|| remark.to_owned()));
         }
         let losses = self.losses.in_words();
         notes.extend(self.commas()?);
@@ -393,33 +394,6 @@ impl<'a> Table<'a> {
     fn place(&self, row: &ByteRecord) -> Place {
         Place::Line(self.text.line(row))
     }
-}
-
-/// Whether the first coordinates are all atomic numbers, beside others that are not all whole.
-fn may_be_atoms(points: &Points) -> bool {
-    let is_element = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(LAST_ELEMENT)).contains(&x);
-    points.rows().all(|point| is_element(point[0]))
-        && points.rows().any(|point| point[1..].iter().any(|x| x.fract() != 0.0))
-}
-
-/// The columns of a table by their names; by their numbers where the first row is one of data.
-fn available(first: &ByteRecord) -> String {
-    if has_number(first) {
-        return format!("numbered 1 to {}, as no row names them; a line that begins with # is a comment", first.len());
-    }
-    let named = |(index, name): (usize, String)| match name.is_empty() {
-        true => format!("column {} (unnamed)", index + 1),
-        false => name,
-    };
-    cells(first).into_iter().enumerate().map(named).collect::<Vec<_>>().join(", ")
-}
-
-/// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
-/// of an unknown separator leave it.
-fn joins_digits(cell: &str) -> bool {
-    let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
-    let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
-    is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::grouped;
 use experiments::findings::words;
 use experiments::fit::GrowthModel;
-use experiments::measured::{Extreme, Measured};
+use experiments::measured::{Extreme, Measured, Series};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "faces",
@@ -68,8 +68,7 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     facets.sort_by(|a, b| b.number.total_cmp(&a.number));
     let full = |extreme: &Extreme| extreme.number == (extreme.n * (extreme.n - 1)) as f64;
     let (most, rest) = (facets.first()?, facets.iter().filter(|extreme| !full(extreme)));
-    let fewer: Vec<String> =
-        rest.map(|extreme| format!("{} of {}", grouped(extreme.number as u64), words::input(&extreme.input))).collect();
+    let fewer: Vec<String> = rest.filter_map(|extreme| counted(found, &extreme.input)).collect();
     let relation = if full(most) { "exactly the paper's n(n − 1)" } else { "fewer than n(n − 1)" };
     Some(format!(
         "A short list stands for a large body: {} generators make {} facets, {relation}, on {} of {} kinds of bodies; \
@@ -80,4 +79,13 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
         facets.len(),
         fewer.join(", ")
     ))
+}
+
+/// The facets of the largest bodies of a kind, which may differ in number.
+fn counted(found: &Measured<'_>, input: &str) -> Option<String> {
+    let series = Series { experiment: "faces-scaling", input, method: "by_sweep" };
+    let (_, [least, most]) = found.range_at_largest(series, Quantity::Value("facets"))?;
+    let [least, most] = [least, most].map(|count| grouped(count as u64));
+    let counts = if least == most { most } else { format!("{least} to {most}") };
+    Some(format!("{counts} of {}", words::input(input)))
 }

@@ -1,4 +1,5 @@
-//! First rows and names that may be meant otherwise, and numbers that doubles do not hold: read with a line that says so.
+//! First rows and names that may be meant otherwise, and numbers that doubles do not hold: read with a line that says
+//! so.
 
 use super::*;
 
@@ -41,7 +42,7 @@ fn unknown_names_that_count_down_are_read_as_they_stand_and_told() {
         let row = if names.matches(',').count() == 1 { "1,2" } else { "1,2,3" };
         let content = format!("{names}\n{row}\n");
         let told = format!("the columns {} are read in the order in which they stand", names.replace(',', ", "));
-        assert_eq!(reading(&content, false).notes, [told.clone()], "{names}");
+        assert_eq!(reading(&content, false).notes, std::slice::from_ref(&told), "{names}");
         assert_eq!(notes_of_vectors(&content), [told], "{names}");
     }
     for names in ["a,b", "u,v", "col1,col2", "y,x", "width,height", "lat,lon", "col9,col10"] {

@@ -1,0 +1,36 @@
+//! Grounds of complaints and remarks on a table: the columns that there are, and cells and points that may be meant
+//! otherwise.
+
+use csv::ByteRecord;
+
+use super::header::has_number;
+use super::rows::cells;
+use super::start::LAST_ELEMENT;
+use crate::input::points::Points;
+
+/// Whether the first coordinates are all atomic numbers, beside others that are not all whole.
+pub(super) fn may_be_atoms(points: &Points) -> bool {
+    let is_element = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(LAST_ELEMENT)).contains(&x);
+    points.rows().all(|point| is_element(point[0]))
+        && points.rows().any(|point| point[1..].iter().any(|x| x.fract() != 0.0))
+}
+
+/// The columns of a table by their names; by their numbers where the first row is one of data.
+pub(super) fn available(first: &ByteRecord) -> String {
+    if has_number(first) {
+        return format!("numbered 1 to {}, as no row names them; a line that begins with # is a comment", first.len());
+    }
+    let named = |(index, name): (usize, String)| match name.is_empty() {
+        true => format!("column {} (unnamed)", index + 1),
+        false => name,
+    };
+    cells(first).into_iter().enumerate().map(named).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
+/// of an unknown separator leave it.
+pub(super) fn joins_digits(cell: &str) -> bool {
+    let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
+    let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
+    is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
+}
