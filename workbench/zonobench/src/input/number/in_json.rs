@@ -5,8 +5,8 @@ use super::Losses;
 use crate::input::error::Place;
 use crate::input::names;
 
-/// The losses of a document that begins on this line. Numbers under `properties`, where GeoJSON has what is no position,
-/// and those of fields that number or weigh the rows are not looked at.
+/// The losses of a document that begins on this line. Numbers under `properties`, where GeoJSON has what is no
+/// position, and those of fields that number or weigh the rows are not looked at.
 pub(in crate::input) fn losses(text: &[u8], line: u64) -> Losses {
     let mut scan = Scan { text, index: 0, line, line_begins: 0, depth: 0, passed_over_from: None, key: None };
     let mut losses = Losses::default();
