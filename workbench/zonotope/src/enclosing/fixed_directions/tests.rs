@@ -207,11 +207,11 @@ fn points_that_are_as_thin_as_three_directions() {
 
 #[test]
 fn points_and_directions_that_are_thin_in_four_dimensions() {
-    let cases: [(i32, i32, i32, [[f64; 4]; 4], [[f64; 4]; 6]); 2] = [
+    /// The exponents of thickness, size and length, points and directions.
+    type Case = ([i32; 3], [[f64; 4]; 4], [[f64; 4]; 6]);
+    let cases: [Case; 2] = [
         (
-            9,
-            60,
-            -53,
+            [9, 60, -53],
             [
                 [-0.9617061012736785, 0.0, 0.0, 0.0],
                 [0.0, 0.44932409429441217, 0.0, 0.0],
@@ -228,9 +228,7 @@ fn points_and_directions_that_are_thin_in_four_dimensions() {
             ],
         ),
         (
-            8,
-            0,
-            28,
+            [8, 0, 28],
             [
                 [0.0, 0.0, 0.8015955404994288, -0.9788206507509588],
                 [0.0, 0.3654809832234513, 0.0, 0.0],
@@ -247,7 +245,7 @@ fn points_and_directions_that_are_thin_in_four_dimensions() {
             ],
         ),
     ];
-    for (thickness, scale, length, points, directions) in cases {
+    for ([thickness, scale, length], points, directions) in cases {
         let points = points.map(|p| thin(p, scale, thickness));
         let directions = directions.map(|v| thin(v, length, thickness));
         check(&points, &directions, &WEIGHTS[..6], 1e-12 * 10f64.powi(thickness)).expect("small programs are exact");
