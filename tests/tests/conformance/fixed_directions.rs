@@ -66,7 +66,11 @@ fn agrees<const D: usize>(instance: &Instance<D>, nearness: Nearness) -> Result<
     let Instance { points, directions, weights } = instance;
     let problem =
         FixedDirections::new(points, directions, weights).map_err(|error| TestCaseError::fail(error.to_string()))?;
-    let truth = rational::min_length_in_rationals(&problem).map(|optimum| optimum.value);
+    let optimum = rational::min_length_in_rationals(&problem);
+    let truth = optimum.as_ref().map(|optimum| optimum.value.clone());
+    // a direction one step from zero takes more than doubles hold
+    let largest = exactly(f64::MAX);
+    let is_beyond = optimum.is_some_and(|optimum| optimum.coefficients.iter().any(|c| *c > largest));
     if D <= ENUMERATED_DIMENSIONS {
         let twin = brute_force::least_length(&problem).map(|optimum| optimum.value);
         prop_assert_eq!(&twin, &truth, "the rational program and the twin on all normals");
@@ -76,7 +80,7 @@ fn agrees<const D: usize>(instance: &Instance<D>, nearness: Nearness) -> Result<
             Ok(answer) => answer,
             Err(error) => {
                 prop_assert_eq!(error, FixedDirectionsError::OutOfRange);
-                prop_assert!(nearness == Nearness::AnyGap, "{}: {}", name, error);
+                prop_assert!(nearness == Nearness::AnyGap || is_beyond, "{}: {}", name, error);
                 continue;
             }
         };
