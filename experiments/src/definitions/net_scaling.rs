@@ -19,7 +19,7 @@ pub const PLANE: Experiment = Experiment {
     fits: &[
         share("share_of_points", "Theorem 4.7", &["sphere_2"]),
         share("share_of_program", "Theorem 4.7 with epsilon^(-2d(d-1))", &["sphere_2"]),
-        reads("point_read", &["sphere_2"]),
+        reads("scan_read", &["sphere_2"]),
         reads("entry_read", &["sphere_2"]),
     ],
     ..SPACE
@@ -30,7 +30,7 @@ pub const SPACE: Experiment = Experiment {
     id: "net-scaling-in-space",
     title: "Least total length along the paper's net of space: growth with the precision",
     question: "What does Theorem 4.7 read, against the precision? n is 1 / epsilon; there are 48 points. \
-               `share_of_points` is the points read over their number times epsilon^-(d-1)^2, and `share_of_program` \
+               `share_of_points` is the points that the scan reads over their number times epsilon^-(d-1)^2, and `share_of_program` \
                the entries that the linear programs read, with the directions that are looked at for each multiplier, \
                over epsilon^-(2d(d-1)), the bound of the theorem with 2 for the factor in its power, fixed before the \
                counts were seen. `net_size` is the number of directions of the net. In space the sizes are few, \
@@ -78,7 +78,7 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measur
     let read_by_programs = reads(Operation::EntryRead) + reads(Operation::GeneratorRead);
     Ok(Measurement::new(&counts, digest(&answer), verdict(&answer, epsilon))
         .with_value("net_size", Net::Paper.size(D, epsilon) as f64)
-        .with_value("share_of_points", reads(Operation::PointRead) / of_points)
+        .with_value("share_of_points", reads(Operation::ScanRead) / of_points)
         .with_value("share_of_program", read_by_programs / of_program))
 }
 

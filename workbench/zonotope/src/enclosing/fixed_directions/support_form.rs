@@ -61,7 +61,7 @@ pub fn min_length_by_support_form<const D: usize>(
         let variables =
             center.chain(scaled.directions.iter().map(|d| BoundedVariable::non_negative(d.weight))).collect();
         let mut program = LinearProgram::new(variables).expect("weights are finite");
-        tally.add(Operation::PointRead, scaled.points.len() as u64 * normals.len() as u64);
+        tally.add(Operation::ScanRead, scaled.points.len() as u64 * normals.len() as u64);
         for normal in &normals {
             let terms = (0..rank).map(|c| (c, normal[c]));
             let terms = terms.chain(directions.iter().enumerate().map(|(i, v)| (rank + i, dot(normal, v).abs())));

@@ -15,7 +15,7 @@ pub(crate) fn extreme_points<const D: usize>(
     tally: &mut dyn Tally,
 ) -> Vec<usize> {
     let normals = facet_normals(rank, directions);
-    tally.add(Operation::PointRead, points.len() as u64 * normals.len() as u64);
+    tally.add(Operation::ScanRead, points.len() as u64 * normals.len() as u64);
     let found = farthest(points, 0..points.len(), &normals);
     let found: BTreeSet<usize> = found.into_iter().flatten().map(|far| far.point).collect();
     found.into_iter().collect()
