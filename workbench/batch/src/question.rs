@@ -45,6 +45,7 @@ fn envelope(tree: Tree) -> Result<Question, Refusal> {
     if let Some((place, number)) = input.and_then(|(_, input)| first_non_finite(input)) {
         return Err(Refusal::new(Code::NonFinite, format!("{place} is {number}")));
     }
+    let within = if input.is_none() { "; what a kind takes are fields of `input`" } else { "" };
     let [mut id, mut kind, mut method, mut input] = [const { None }; 4];
     for (name, value) in fields {
         let slot = match name.as_str() {
@@ -54,7 +55,7 @@ fn envelope(tree: Tree) -> Result<Question, Refusal> {
             "input" => &mut input,
             other => {
                 let near = did_you_mean(other, ["id", "kind", "method", "input"]);
-                return Err(Refusal::bad_input(format!("extra field `{name}` in the question{near}")));
+                return Err(Refusal::bad_input(format!("extra field `{name}` in the question{near}{within}")));
             }
         };
         *slot = Some(value);

@@ -71,3 +71,12 @@ fn two_names_of_one_part_and_matrices_that_are_none_are_refused() {
     assert_eq!(message(json!({"c": [0, 0], "G": [[1, 2], [3]]})), "a, G, row 2 has 1 numbers, not 2");
     assert_eq!(message(json!({"c": [0, 0], "G": [[1]]})), "a, generator 1 has 1 coordinate, not 2");
 }
+
+/// The refusal of fields that stand beside `kind` says where they belong.
+#[test]
+fn fields_beside_the_kind_are_told_where_they_belong() {
+    let question = json!({"id": "q", "kind": "min_area", "points": [[0, 0], [1, 2]]}).to_string();
+    let line: Value = serde_json::from_str(&answer(&question)).expect("an answer is JSON");
+    let told = "extra field `points` in the question; what a kind takes are fields of `input`";
+    assert_eq!(line["error"], json!({"code": "bad_input", "message": told}));
+}
