@@ -1,6 +1,12 @@
-//! Section 4.2, the time of the linear program.
+//! Section 4.2, the cost of the program.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use experiments::fit::{GrowthModel, ModelVerdict, fit_growth, in_decimals};
+use families::clouds;
+use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program};
+use zonotope::linear_program::Clarabel;
+use zonotope::tally::{Operation, OperationCounts};
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +14,56 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "4.2", label: "after the program, quoted from [18]" },
     kind: ClaimKind::Statement,
     statement: "The linear program is solved in polynomial time by interior methods, and so in O(k^O(d)) time",
+    code: &["zonotope::enclosing::fixed_directions::papers_program", "zonotope::linear_program"],
+    check: Check::Run(check),
+    tried: Tried::Growth(&["directions of R^2", "directions of R^3"]),
     ..Claim::LISTED
 };
+
+/// The numbers of directions.
+const DIRECTIONS: [usize; 5] = [6, 8, 11, 16, 22];
+
+/// Sets of directions of each number.
+const SETS: u64 = 3;
+
+/// Points of each instance, on a sphere, so that most normals have an extreme point of their own.
+const POINTS: usize = 1200;
+
+/// What an interior method reads of the printed program grows no faster than k^(2d), whose power is fixed beforehand.
+fn check(context: &CheckContext) -> Verdict {
+    match reads::<2>(context.seed).and_then(|plane| Ok((plane, reads::<3>(context.seed)?))) {
+        Ok((plane, space)) => Verdict::Holds(format!(
+            "along {} to {} directions, what the interior method reads of the printed program, over k^(2d), {plane} \
+             in R^2 and {space} in R^3",
+            DIRECTIONS[0],
+            DIRECTIONS[DIRECTIONS.len() - 1]
+        )),
+        Err(reason) => Verdict::Inconclusive(reason),
+    }
+}
+
+/// The growth of the entries that are read, over k^(2d).
+fn reads<const D: usize>(seed: u64) -> Result<String, String> {
+    let mut samples = Vec::new();
+    for (k, set) in DIRECTIONS.into_iter().flat_map(|k| (0..SETS).map(move |set| (k, set))) {
+        let points = clouds::on_sphere::<D>(POINTS, seed + set);
+        let directions = clouds::on_sphere::<D>(k, seed + k as u64 + 100 * set);
+        let weights = vec![1.0; k];
+        let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
+        let mut counts = OperationCounts::default();
+        let answer = papers_program::min_length_by_papers_program(&problem, &Clarabel, &mut counts);
+        answer.map_err(|error| error.to_string())?;
+        let read = counts.get(Operation::EntryRead) as f64;
+        samples.push((k as f64, read / (k as f64).powi(2 * D as i32)));
+    }
+    let growth = fit_growth(&samples, &[GrowthModel::Constant]).map_err(|error| error.to_string())?;
+    let fit = growth.model(GrowthModel::Constant).ok_or("the model was not fitted")?;
+    let excess = fit.excess_exponent;
+    let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
+    let sentence = format!("grows with exponent {value} in [{low}, {high}]");
+    match fit.verdict {
+        ModelVerdict::Within | ModelVerdict::Below => Ok(sentence),
+        ModelVerdict::Above => Err(format!("in R^{D} it {sentence}, above the bound")),
+        ModelVerdict::Undecided => Err(format!("in R^{D} it {sentence}, which leaves the bound undecided")),
+    }
+}
