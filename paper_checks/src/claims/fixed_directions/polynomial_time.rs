@@ -21,13 +21,13 @@ pub static CLAIM: Claim = Claim {
 };
 
 /// The numbers of directions.
-const DIRECTIONS: [usize; 5] = [6, 8, 11, 16, 22];
+const DIRECTIONS: [usize; 5] = [6, 8, 10, 13, 16];
 
 /// Sets of directions of each number.
 const SETS: u64 = 3;
 
 /// Points of each instance, on a sphere, so that most normals have an extreme point of their own.
-const POINTS: usize = 1200;
+const POINTS: usize = 800;
 
 /// What an interior method reads of the printed program grows no faster than k^(2d), whose power is fixed beforehand.
 fn check(context: &CheckContext) -> Verdict {
