@@ -134,7 +134,7 @@ fn signed_sum(query: &dyn KernelQuery, decided: &DecidedOptimum) -> PairVector {
     query.parts().iter().fold([BoundedDoubleDouble::exact(0.0); 3], |sum, part| {
         let (own, others) = rest.split_at(part.rows.len());
         rest = others;
-        let own = part.pair_image(&combined_sum(part.rows.list(), own));
+        let own = part.pair_image(&combined_sum(part.rows, own));
         [0, 1, 2].map(|k| sum[k] + own[k])
     })
 }

@@ -10,15 +10,17 @@
 //! idea without bounds; here the nearest face bounds the depth from below for all directions at once.
 //!
 //! # Method
-//! 1. The kernel decides whether p is inside.
+//! 1. Of bodies at rest, 2 and 3 run in plain doubles with one margin for all rounding (`symmetric`), which mostly
+//!    proves both bounds, or that p is outside. Where that does not, the kernel decides whether p is inside.
 //! 2. The polytope begins as an octahedron of three extreme vertices of Z and their mirror images (`polytope`). Every
 //!    point that it ever gets is a vertex of Z or the mirror image of one, so it stays within Z.
 //! 3. The plane of the face that is nearest to p, or has p farthest behind it, has a normal u. The vertex of Z that is
 //!    extreme along u joins the polytope with its mirror image. The value h(u) − u · p over |u| bounds the depth from
 //!    above, as a translation of that length along u takes p out of Z; the least distance of a face bounds it from
 //!    below, as the ball of that radius lies within the polytope.
-//! 4. The search runs in doubles. Where their errors hide the last hundredth it is run again in pairs of doubles, and
-//!    where these do not tell, either, in exact numbers (`precision`); of very few generators in these alone.
+//! 4. Else the search runs in doubles that carry bounds. Where their errors hide the last hundredth it is run again in
+//!    pairs of doubles, and where these do not tell, either, in exact numbers (`precision`); of very few generators in
+//!    these alone.
 //!
 //! # Complexity
 //! n generators: O(n) for each new vertex, some ten to some hundred of them, the more the nearer Z is to a ball around
@@ -48,6 +50,7 @@
 mod number;
 mod polytope;
 mod precision;
+mod symmetric;
 
 use self::number::Number;
 use self::polytope::Polytope;
@@ -82,10 +85,10 @@ const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
-    match locate(query, tally) {
+    symmetric::depth(query, tally).unwrap_or_else(|| match locate(query, tally) {
         Location::Inside(_) => of_inner_point(query, tally),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
-    }
+    })
 }
 
 /// The depth of a displacement that is inside, by the first precision that tells it.
