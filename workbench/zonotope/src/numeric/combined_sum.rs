@@ -31,6 +31,9 @@ const BLOCK: usize = 256;
 /// The coefficients among whose first ones two neighbours of the same magnitude are looked for.
 const FIRST_COEFFICIENTS: usize = 9;
 
+/// Fewer vectors than these are all multiplied: a second sum takes longer to join than the products that it spares.
+const LEAST_SIGNED_COUNT: usize = 64;
+
 /// The most vectors whose sum is left to instructions of 256 bits.
 const NARROW_LIMIT: usize = 32;
 
@@ -164,7 +167,10 @@ pub(crate) fn combined_sum(rows: Rows<'_>, coefficients: &[f64]) -> [BoundedDoub
 
 /// The magnitude that most coefficients of an extreme point have: that of two neighbours among the first.
 fn common_magnitude(coefficients: &[f64]) -> Option<f64> {
-    let first = &coefficients[..coefficients.len().min(FIRST_COEFFICIENTS)];
+    if coefficients.len() < LEAST_SIGNED_COUNT {
+        return None;
+    }
+    let first = &coefficients[..FIRST_COEFFICIENTS];
     first.windows(2).find(|pair| pair[0].abs() == pair[1].abs()).map(|pair| pair[0].abs())
 }
 
@@ -312,22 +318,26 @@ mod tests {
         }
     }
 
-    /// (±1/2 + 2^-60) and a multiple of 1/4 that is not the common magnitude: the sum is known to the last bit.
+    /// All coefficients are 1/2 but for one of 1/4: the sum is known to the last bit.
     #[test]
     fn signs_and_products_worked_out_by_hand() {
-        let vectors: Vec<[f64; 3]> = (0..41).map(|i| [1.0, f64::from(i), power_of_two(-60)]).collect();
-        let coefficients: Vec<f64> = (0..41).map(|i| if i == 20 { 0.25 } else { 0.5 }).collect();
+        let vectors: Vec<[f64; 3]> = (0..105).map(|i| [1.0, f64::from(i), power_of_two(-60)]).collect();
+        let coefficients: Vec<f64> = (0..105).map(|i| if i == 20 { 0.25 } else { 0.5 }).collect();
         let found = combined_sum(Rows::new(&vectors), &coefficients).map(|sum| sum.parts().0.high);
-        assert_eq!(found, [20.25, 405.0, 20.25 * power_of_two(-60)]);
+        assert_eq!(found, [52.25, 2725.0, 52.25 * power_of_two(-60)]);
     }
 
     #[test]
     fn overflow_and_coefficients_beyond_one_leave_nothing_known() {
-        let [sum, ..] = combined_sum(Rows::new(&[[f64::MAX; 3]; 3]), &[1.0; 3]);
-        assert!(sum.sign().is_none());
-        for coefficients in [[0.5, 1.5, 0.5], [1.5; 3], [f64::NAN; 3], [0.5, 0.5, f64::NAN]] {
-            let sums = combined_sum(Rows::new(&[[1.0; 3]; 3]), &coefficients);
-            assert!(sums.iter().all(|sum| !sum.is_known()), "{coefficients:?}");
+        for count in [3, 80] {
+            let [sum, ..] = combined_sum(Rows::new(&vec![[f64::MAX; 3]; count]), &vec![1.0; count]);
+            assert!(sum.sign().is_none());
+            for (usual, last) in [(0.5, 1.5), (1.5, 0.5), (f64::NAN, f64::NAN), (0.5, f64::NAN)] {
+                let mut coefficients = vec![usual; count];
+                coefficients[count - 1] = last;
+                let sums = combined_sum(Rows::new(&vec![[1.0; 3]; count]), &coefficients);
+                assert!(sums.iter().all(|sum| !sum.is_known()), "{usual} {last}");
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::lanes::signed_factors;
-use crate::numeric::linear::{cross, dot, euclidean_norm};
+use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{KNOWN_SQUARE, SQUARABLE_SIZES};
 use crate::tally::{Operation, Tally};
@@ -27,18 +27,40 @@ use crate::tally::{Operation, Tally};
 /// The least angle of the cone: rounding in doubles must leave no doubt that a direction is in it.
 const LEAST_ANGLE: f64 = 1e-13;
 
+/// The angle of the cone around a direction that may be the normal of a facet, rounded.
+const FACET_ANGLE: f64 = 1e-11;
+
 /// A vector known by pairs of doubles.
 type PairVector = [BoundedDoubleDouble; 3];
 
 /// The distance, within two units in the last place; `start` is a direction in which the displacement is beyond the
 /// body. `None` where pairs of doubles leave a doubt of it.
+///
+/// Near contact the direction that separates is mostly the normal of the facet on which the nearest point lies, so that
+/// its two generators are tried before any search.
 pub(super) fn distance(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tally) -> Option<f64> {
     let vectors = Vectors::of(query)?;
-    let guess = direction_guess::in_doubles(query, start, tally)?;
-    let cone = DirectionCone { ball: guess.ball.max(LEAST_ANGLE * euclidean_norm(&guess.center)), ..guess };
-    tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
+    let center = start.map(|c| c / max_norm(&start));
+    let around_start = DirectionCone { center, axes: None, ball: FACET_ANGLE * euclidean_norm(&center) };
+    in_cone(query, &vectors, &around_start, 2, tally).or_else(|| {
+        let guess = direction_guess::in_doubles(query, start, tally)?;
+        let ball = guess.ball.max(LEAST_ANGLE * euclidean_norm(&guess.center));
+        in_cone(query, &vectors, &DirectionCone { ball, ..guess }, 0, tally)
+    })
+}
+
+/// The distance, if the direction to the nearest point is in a cone that at least some and at most two generators
+/// cross. Two passes.
+fn in_cone(
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
+    cone: &DirectionCone,
+    least_crossing: usize,
+    tally: &mut dyn Tally,
+) -> Option<f64> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
     let (mut crossing, mut indices) = (Vec::new(), Places::new());
-    query.split(&cone, &mut crossing, &mut indices);
+    query.split(cone, &mut crossing, &mut indices);
     let pair = |place: &u32| vectors.pairs(*place as usize);
     let face: Face = match indices.as_slice() {
         [] => Face::Vertex,
@@ -46,7 +68,11 @@ pub(super) fn distance(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn
         [i, j] => Face::Facet(pair(i), pair(j)),
         _ => return None,
     };
-    let (sum, p) = (query.combined(&fixed_signs(query, &cone, &indices)), query.displacement_pairs());
+    if indices.len() < least_crossing {
+        return None;
+    }
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let (sum, p) = (query.combined(&fixed_signs(query, cone, &indices)), query.displacement_pairs());
     let (direction, square) = face.foot(&[p[0] - sum[0], p[1] - sum[1], p[2] - sum[2]])?;
     let is_optimal = cone.contains(&direction.map(|c| c.rounded()), &bounded::exact(cone.center));
     if is_optimal { root(square) } else { None }

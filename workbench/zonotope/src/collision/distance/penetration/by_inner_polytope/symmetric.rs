@@ -18,11 +18,11 @@
 //!
 //! Nothing else is used: which faces a new corner sees, and whether the polytope is convex, are guesses.
 
-use super::{VERTEX_LIMIT, is_settled};
+use super::search_end::{VERTEX_LIMIT, is_settled};
 use crate::collision::distance::Penetration;
+use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{Extents, extreme_sum_of};
 use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, SHORTEST_LENGTH, UNIT};
@@ -32,7 +32,7 @@ use crate::tally::{Operation, Tally};
 type Corner = u32;
 
 /// The depth of p, if doubles find it: [`Penetration::NONE`] of a p that is certainly outside, `None` where rounding
-/// leaves a doubt or a body has a pose.
+/// leaves a doubt.
 pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Penetration<3>> {
     let body = Body::of(query)?;
     let mut best = Penetration { lower: 0.0, upper: f64::INFINITY, direction: [0.0; 3] };
@@ -69,9 +69,10 @@ fn sideways(v: &[f64; 3]) -> [f64; 3] {
     cross(v, &[0, 1, 2].map(|k| if k == shortest { 1.0 } else { 0.0 }))
 }
 
-/// A body at rest around the origin and a point p, in doubles.
+/// A body around the origin and a point p, in doubles.
 struct Body<'q> {
-    runs: [Rows<'q>; 2],
+    parts: [Part<'q>; 2],
+    /// The extents of the rows of each part.
     extents: [Extents<3>; 2],
     p: [f64; 3],
     /// M: at least the errors of a corner, of p, and of a product with the difference of both.
@@ -80,39 +81,49 @@ struct Body<'q> {
     size: [f64; 3],
 }
 
+/// The roundings of a corner beside those of its pass, and of a product with the difference of it and p, in terms of
+/// their size: 1 where the sums of both parts are added, 5 for the product. Where a part has a matrix, 3 for the image
+/// of its sum, and 6 as signs are those of products with a direction that is pulled back with 3, each worth twice a
+/// product.
+const ROUNDINGS: f64 = 16.0;
+
 impl<'q> Body<'q> {
     fn of(query: &'q dyn KernelQuery) -> Option<Self> {
-        let [first, second] = query.parts();
-        if first.frame.is_some() || second.frame.is_some() {
+        let parts = query.parts();
+        if !parts.iter().filter_map(|part| part.frame).all(|frame| frame.is_moderate()) {
             return None;
         }
-        let runs = [first.rows, second.rows];
-        let extents = runs.map(|rows| Extents::new(rows.list()));
+        let extents = parts.each_ref().map(|part| Extents::new(part.rows.list()));
         let displacement: BoundedVector = query.rounded_displacement();
-        let p = displacement.map(|c| c.value);
-        let [own, others] = extents.each_ref().map(Extents::sums);
-        let [error, other_error] = extents.each_ref().map(Extents::point_error);
-        let size = [0, 1, 2].map(|k| (own[k] + others[k] + p[k].abs() + displacement[k].error) * LONG_SUM);
-        // the sum of both runs is rounded, and the difference with p; then a product of three terms
-        let margin = |k: usize| error[k] + other_error[k] + displacement[k].error + 8.0 * UNIT * size[k];
-        let margins = [0, 1, 2].map(|k| margin(k) * LONG_SUM + PRODUCT_UNDERFLOW);
-        MODERATE_SIZES.contains(&max_norm(&size)).then_some(Self { runs, extents, p, margins, size })
+        let (mut size, mut margins) = (displacement.map(|c| c.value.abs() + c.error), displacement.map(|c| c.error));
+        for (part, extents) in parts.iter().zip(&extents) {
+            let (own, error) = (part.image_of_sizes(&extents.sums()), part.image_of_sizes(&extents.point_error()));
+            for k in 0..3 {
+                size[k] += own[k];
+                margins[k] += error[k];
+            }
+        }
+        let margins = [0, 1, 2].map(|k| (margins[k] + ROUNDINGS * UNIT * size[k]) * LONG_SUM + PRODUCT_UNDERFLOW);
+        let (p, size) = (displacement.map(|c| c.value), size.map(|c| c * LONG_SUM));
+        MODERATE_SIZES.contains(&max_norm(&size)).then_some(Self { parts, extents, p, margins, size })
     }
 
     /// The extreme point in a direction, whose plane of support may be nearer than the best one. One pass.
     fn look(&self, u: [f64; 3], best: &mut Penetration<3>) -> [f64; 3] {
         let largest = max_norm(&u);
-        let u = u.map(|c| c / largest);
-        let [own, others] = self.runs.map(|rows| extreme_sum_of(&rows.octets(), &u));
-        let vertex = [0, 1, 2].map(|k| own[k] + others[k]);
-        let gap = dot(&u, &[0, 1, 2].map(|k| vertex[k] - self.p[k]));
-        let [first, second] = &self.extents;
-        let missing = first.error(&u, dot(&u, &own)) + second.error(&u, dot(&u, &others));
-        let margin = (self.margin(&u) + missing + PRODUCT_UNDERFLOW) * LONG_SUM;
-        let length = euclidean_norm(&u);
-        // of a value below 0, the longer length makes the larger quotient
-        let value = gap + margin;
-        let upper = if value > 0.0 { value / length * FIVE_ROUNDINGS } else { value };
+        let u = [u[0] / largest, u[1] / largest, u[2] / largest];
+        let (mut vertex, mut missing) = ([0.0; 3], PRODUCT_UNDERFLOW);
+        for (part, extents) in self.parts.iter().zip(&self.extents) {
+            let direction = part.frame.map_or(u, |frame| frame.pulled(&u));
+            let sum = extreme_sum_of(&part.rows.octets(), &direction);
+            missing += extents.error(&direction, dot(&direction, &sum));
+            let image = part.image(&sum);
+            vertex = [vertex[0] + image[0], vertex[1] + image[1], vertex[2] + image[2]];
+        }
+        let gap = dot(&u, &[vertex[0] - self.p[0], vertex[1] - self.p[1], vertex[2] - self.p[2]]);
+        let value = gap + (self.margin(&u) + missing) * LONG_SUM;
+        // a value below 0 says that p is outside, whatever the length
+        let upper = if value > 0.0 { value / euclidean_norm(&u) * FIVE_ROUNDINGS } else { value };
         // false for NaN as well
         if upper < best.upper {
             (best.upper, best.direction) = (upper, u);
@@ -121,6 +132,7 @@ impl<'q> Body<'q> {
     }
 
     /// Σ |n_k| M_k.
+    #[inline(always)]
     fn margin(&self, n: &[f64; 3]) -> f64 {
         n[0].abs() * self.margins[0] + n[1].abs() * self.margins[1] + n[2].abs() * self.margins[2]
     }
@@ -176,9 +188,12 @@ impl<'b> Polytope<'b> {
         2 * (self.corners.len() as Corner - 1)
     }
 
+    #[inline(always)]
     fn point(&self, corner: Corner) -> [f64; 3] {
-        let point = self.corners[corner as usize / 2];
-        if corner & 1 == 1 { point.map(|c| -c) } else { point }
+        let [x, y, z] = self.corners[corner as usize / 2];
+        // no branch: which corners are opposite ones is not to be predicted
+        let sign = 1.0 - 2.0 * f64::from(corner & 1);
+        [sign * x, sign * y, sign * z]
     }
 
     /// The direction to the face that is nearest to p or has p farthest behind it, and a lower bound of its distance.
@@ -192,10 +207,11 @@ impl<'b> Polytope<'b> {
         (nearest.normal.map(|c| c * nearest.sign), nearest.distance)
     }
 
+    #[inline]
     fn add_face(&mut self, corners: [Corner; 3]) {
-        let [a, b, c] = corners.map(|corner| self.point(corner));
+        let [a, b, c] = [self.point(corners[0]), self.point(corners[1]), self.point(corners[2])];
         let body = self.body;
-        let (first, second) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
+        let (first, second) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
         let normal = cross(&first, &second);
         let levels = [dot(&normal, &a), dot(&normal, &b), dot(&normal, &c)];
         let least = levels[0].min(levels[1]).min(levels[2]);
