@@ -3,7 +3,7 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use zonotope::collision::distance::{by_support_simplex, penetration::by_inner_polytope};
+use zonotope::collision::distance::penetration::by_inner_polytope;
 use zonotope::collision::{Query, by_lad};
 use zonotope::tally::{Operation, OperationCounts};
 
@@ -28,10 +28,6 @@ fn locate(query: &Query<'_, 3>, counts: &mut OperationCounts) {
 
 fn gauge(query: &Query<'_, 3>, counts: &mut OperationCounts) {
     by_lad::nearest_gauge(query, counts);
-}
-
-fn distance(query: &Query<'_, 3>, counts: &mut OperationCounts) {
-    by_support_simplex::distance(query, counts);
 }
 
 fn depth(query: &Query<'_, 3>, counts: &mut OperationCounts) {
@@ -59,7 +55,7 @@ fn passes(Stored { ask, count, gauge, .. }: &Stored) -> f64 {
 
 #[test]
 fn questions_take_as_many_passes_as_ever() {
-    let (within, beyond) = (1.0 - 1e-9, 1.0 + 1e-9);
+    let within = 1.0 - 1e-9;
     let table = [
         stored("location", locate, 64, 0.5, 10.0),
         stored("location", locate, 64, within, 24.0),
@@ -69,9 +65,6 @@ fn questions_take_as_many_passes_as_ever() {
         stored("location", locate, 16384, within, 9.56),
         stored("gauge", gauge, 64, within, 16.0),
         stored("gauge", gauge, 1024, within, 17.58),
-        stored("distance", distance, 64, beyond, 279.0),
-        stored("distance", distance, 64, 2.0, 67.0),
-        stored("distance", distance, 1024, beyond, 410.25),
         stored("depth", depth, 64, within, 121.0),
         stored("depth", depth, 64, 0.5, 123.0),
         stored("depth", depth, 1024, within, 201.0),
