@@ -104,10 +104,11 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
 /// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
-/// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 64 vectors,
-/// in each of two lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a
-/// number that stays below 33 u, which takes 32 · 34 = 1,088. What joining the blocks rounds off is kept. Together that
-/// is less than 2^11.
+/// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 256 vectors,
+/// in each of eight lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a
+/// number that stays below 33 u, which takes 32 · 34 = 1,088. Three additions by halves join the lanes, each of numbers
+/// below 36 u with a remainder: less than 3 · 72. What joining the blocks rounds off is kept. Together that is less than
+/// 2^11. Vectors that are added with signs alone have remainders of additions and no products.
 pub(crate) const COMBINED_SUM: f64 = power_of_two(-94);
 
 /// Error of an [absolute sum in pairs](super::lanes) over a block of 512 vectors, in terms of Σ |v|_1 times the largest
@@ -136,6 +137,9 @@ pub const MODERATE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_tw
 ///
 /// Times the larger end, what underflows of vectors of moderate size stays far below the floor of every error bound.
 pub const MATRIX_SIZES: std::ops::Range<f64> = power_of_two(-60)..power_of_two(60);
+
+/// Relative error within which a square in pairs of doubles gives its root to within a unit in the last place.
+pub(crate) const KNOWN_SQUARE: f64 = power_of_two(-60);
 
 /// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
 pub const SQUARABLE_SIZES: std::ops::Range<f64> = power_of_two(-500)..power_of_two(500);

@@ -6,10 +6,11 @@ use crate::zonotope::Zonotope;
 use crate::zonotope::query::Query;
 
 impl<const D: usize> Zonotope<D> {
-    /// The Euclidean distance of two closed bodies, 0 where they meet; within two units in the last place. The points,
-    /// faces and coefficients that prove it are those of [`proximity`](Self::proximity), and so is the cost.
+    /// The Euclidean distance of two closed bodies, 0 where they meet; within two units in the last place. Expected
+    /// O(n), in space mostly in doubles and pairs of them. The points, faces and coefficients that prove it are those of
+    /// [`proximity`](Self::proximity), whose cost is several times that.
     pub fn distance(&self, other: &Self) -> f64 {
-        by_support_simplex::proximity(&Query::between(self, other), &mut ()).distance()
+        by_support_simplex::distance(&Query::between(self, other), &mut ())
     }
 
     /// Proximity of two closed bodies: their distance with the points, faces and coefficients that prove it, or how

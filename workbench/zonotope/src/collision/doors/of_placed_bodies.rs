@@ -49,9 +49,10 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
     }
 
     /// The Euclidean distance of two closed bodies where they stand, 0 where they meet; within two units in the last
-    /// place. The cost is that of [`proximity`](Self::proximity).
+    /// place. Expected O(n), mostly in doubles and pairs of them; the points, faces and coefficients that prove it are
+    /// those of [`proximity`](Self::proximity).
     pub fn distance<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> f64 {
-        by_support_simplex::proximity(&self.query(other.into()), &mut ()).distance()
+        by_support_simplex::distance(&self.query(other.into()), &mut ())
     }
 
     /// Proximity of two closed bodies where they stand, exactly for the poses as they are given. Expected O(n) for each

@@ -2,8 +2,8 @@
 //! that is handed to others is compared, stored and subtracted.
 //!
 //! The gauge is u · p / h(u) at the optimal direction u, the exact product of two generators. One pass in pairs of
-//! doubles knows that quotient far beyond a double, however much cancels in it, or the sums of a structure know it
-//! exactly. Where doubles left open whether u is optimal, as at an edge of a facet, a second pass sums up the
+//! doubles knows that quotient far beyond a double, from u in pairs or, however much cancels in it, from u in integers;
+//! or the sums of a structure know it exactly. Where doubles left open whether u is optimal, as at an edge of a facet, a second pass sums up the
 //! generators with their signs: with the coefficients of the two generators of u from that sum, at most ε beyond ±1,
 //! the gauge is at most 1 + ε s times as large, where s bounds the gauge of these generators. The middle of that
 //! interval is what is returned. Where the interval is wide, exact arithmetic answers.
@@ -13,6 +13,7 @@ use super::certify::unit_gauge_bound::unit_gauge_bound;
 use super::exact::solve::exact_gauge;
 use super::ladder::exact_of;
 use super::optimum::Optimum;
+use super::seam::generators::Part;
 use super::seam::kernel_query::KernelQuery;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -37,12 +38,38 @@ pub(crate) fn nearest_gauge(query: &dyn KernelQuery, optimum: &Optimum, tally: &
     }
 }
 
-/// The gauge from the direction of a rounded optimum, if it is known well enough.
+/// The gauge from the direction of a rounded optimum, if it is known well enough: in pairs of doubles, and where these
+/// do not know the direction, or whoever holds the generators knows exact sums of them, with the exact direction.
 fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Option<(f64, f64)> {
-    let optimum = &decided.optimum;
-    if optimum.is_near_vertex() {
+    if decided.optimum.is_near_vertex() {
         return None;
     }
+    let in_pairs = if query.has_exact_sums() { None } else { along_pairs(query, decided, tally) };
+    in_pairs.or_else(|| along_exact(query, decided, tally))
+}
+
+/// The gauge from the direction in pairs of doubles. One pass, and a second one where the vertex is not certain.
+fn along_pairs(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Option<(f64, f64)> {
+    let optimum = &decided.optimum;
+    let pair = optimum.basis.map(|index| generator_in_pairs(query, index));
+    let normal = cross(&pair[0], &pair[1]);
+    let direction = if optimum.reversed { normal.map(BoundedDoubleDouble::negated) } else { normal };
+    let p = query.displacement_pairs();
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let reach = support(query, |part| part.pair_pulled(&direction));
+    let quotient = (dot(&p, &direction) / reach).rounded();
+    let slack = if optimum.is_vertex() {
+        0.0
+    } else {
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        Beyond::new(&signed_sum(query, decided), &pair, &p, &direction, reach).narrow_slack(query)
+    };
+    within(quotient.value, quotient.error, slack)
+}
+
+/// The gauge from the exact direction.
+fn along_exact(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Option<(f64, f64)> {
+    let optimum = &decided.optimum;
     let direction = scaled(optimum.exact_vertex(query));
     let p = query.exact();
     let along = exact_linear::dot(&p, &direction);
@@ -55,7 +82,7 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
         }
         None => {
             tally.add(Operation::GeneratorRead, query.len() as u64);
-            let reach = support(query, &direction);
+            let reach = support(query, |part| in_pairs(&part.exact_pulled(&direction)));
             let quotient = (BoundedDoubleDouble::of(&along) / reach).rounded();
             (quotient.value, quotient.error, reach)
         }
@@ -71,11 +98,14 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
             }
         };
         let pair = optimum.basis.map(|index| in_pairs(&query.exact_generator(index)));
-        let beyond = Beyond::new(&sum, &pair, &in_pairs(&p), &in_pairs(&direction), reach);
-        let wide = beyond.slack(1.0);
-        if wide <= NARROW_SLACK { wide } else { wide.min(beyond.slack(unit_gauge_bound(query, 1))) }
+        Beyond::new(&sum, &pair, &in_pairs(&p), &in_pairs(&direction), reach).narrow_slack(query)
     };
-    // the middle of what the slack leaves open
+    within(value, error, slack)
+}
+
+/// The gauge and a bound of its error, from a value within an error that the gauge exceeds by at most the part `slack`
+/// of it: the middle of what the slack leaves open, if that is known well enough.
+fn within(value: f64, error: f64, slack: f64) -> Option<(f64, f64)> {
     let half = if slack > NARROW_SLACK { slack / 2.0 } else { 0.0 };
     let middle = value * (1.0 + half);
     let error = (error + (value + error) * (slack - half) + middle * UNIT) * FIVE_ROUNDINGS;
@@ -118,6 +148,12 @@ impl Beyond {
         let beyond: f64 = self.terms.iter().map(|[length, alone]| (length * size).min(*alone)).sum();
         (beyond + self.missing + beyond * self.missing) * FIVE_ROUNDINGS
     }
+
+    /// The slack, with a bound of the gauge of any x where that is needed to make it narrow.
+    fn narrow_slack(&self, query: &dyn KernelQuery) -> f64 {
+        let wide = self.slack(1.0);
+        if wide <= NARROW_SLACK { wide } else { wide.min(self.slack(unit_gauge_bound(query, 1))) }
+    }
 }
 
 /// The sum of all generators but the two of the vertex, with their signs or shares. One pass.
@@ -134,7 +170,7 @@ fn signed_sum(query: &dyn KernelQuery, decided: &DecidedOptimum) -> PairVector {
     query.parts().iter().fold([BoundedDoubleDouble::exact(0.0); 3], |sum, part| {
         let (own, others) = rest.split_at(part.rows.len());
         rest = others;
-        let own = part.pair_image(&combined_sum(part.rows.list(), own));
+        let own = part.pair_image(&combined_sum(part.rows, own));
         [0, 1, 2].map(|k| sum[k] + own[k])
     })
 }
@@ -143,13 +179,20 @@ fn in_pairs(v: &ExactVector) -> PairVector {
     v.each_ref().map(BoundedDoubleDouble::of)
 }
 
-/// h(u), to twice the digits of a double.
-fn support(query: &dyn KernelQuery, direction: &ExactVector) -> BoundedDoubleDouble {
+/// A generator to twice the digits of a double.
+fn generator_in_pairs(query: &dyn KernelQuery, index: usize) -> PairVector {
+    let [first, second] = query.parts();
+    let (part, place) = index.checked_sub(first.rows.len()).map_or((first, index), |place| (second, place));
+    part.pair_image(&part.rows.list()[place].map(BoundedDoubleDouble::exact))
+}
+
+/// h(u) to twice the digits of a double, of a direction that is given as each part takes it.
+fn support(query: &dyn KernelQuery, pulled: impl Fn(&Part<'_>) -> PairVector) -> BoundedDoubleDouble {
     query.parts().iter().fold(BoundedDoubleDouble::exact(0.0), |sum, part| {
         if part.rows.is_empty() {
             return sum;
         }
-        sum + absolute_sum_in_pairs(part.rows, &in_pairs(&part.exact_pulled(direction)))
+        sum + absolute_sum_in_pairs(part.rows, &pulled(part))
     })
 }
 

@@ -87,6 +87,14 @@ pub(crate) fn clipped<T: Number>(x: T, limit: T) -> T {
     x.magnitude().if_less(limit, x, limit.signed_as(x))
 }
 
+/// The rounded sum, and what rounding leaves behind (Knuth).
+#[inline(always)]
+pub(crate) fn sum_and_rest<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
+    let sum = a + b;
+    let b_in_sum = sum - a;
+    (sum, (a - (sum - b_in_sum)) + (b - b_in_sum))
+}
+
 /// Constants of a pass.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Units<T> {

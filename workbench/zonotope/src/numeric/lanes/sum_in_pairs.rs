@@ -8,6 +8,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::level::level;
+use super::number::sum_and_rest;
 use super::octet::{LANES, splat, total, turned};
 use super::octets::Octets;
 use super::rows::Rows;
@@ -61,11 +62,11 @@ fn sum_of_block<S: Simd>(simd: S, octets: Octets<'_>, direction: &[[f64; 2]; 3])
         let (x, x_rest) = product(v[0], &factors[0], splitter);
         let (y, y_rest) = product(v[1], &factors[1], splitter);
         let (z, z_rest) = product(v[2], &factors[2], splitter);
-        let (sum, first_rest) = sum_of(x, y);
-        let (sum, second_rest) = sum_of(sum, z);
+        let (sum, first_rest) = sum_and_rest(x, y);
+        let (sum, second_rest) = sum_and_rest(sum, z);
         let rest = (first_rest + second_rest) + ((x_rest + y_rest) + z_rest);
         let sign = sum + rest;
-        let (joined, rounded_off) = sum_of(head, turned(simd, sum, sign));
+        let (joined, rounded_off) = sum_and_rest(head, turned(simd, sum, sign));
         head = joined;
         tail += rounded_off + turned(simd, rest, sign);
         length += v[0].abs() + v[1].abs() + v[2].abs();
@@ -95,14 +96,6 @@ fn halves<S: Simd>(value: f64x8<S>, splitter: f64x8<S>) -> [f64x8<S>; 2] {
     let scaled = splitter * value;
     let head = scaled - (scaled - value);
     [head, value - head]
-}
-
-/// The rounded sum, and what rounding leaves behind.
-#[inline(always)]
-fn sum_of<S: Simd>(a: f64x8<S>, b: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
-    let sum = a + b;
-    let b_in_sum = sum - a;
-    (sum, (a - (sum - b_in_sum)) + (b - b_in_sum))
 }
 
 #[cfg(test)]

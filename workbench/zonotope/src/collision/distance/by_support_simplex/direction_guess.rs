@@ -33,7 +33,12 @@ const WIDEST_CROSSING_COUNT: f64 = 64.0;
 /// A cone around the direction to the displacement `p` of a query from the nearest point, as far as doubles know it;
 /// `start` is a direction in which the displacement is beyond the body.
 pub(super) fn cone(query: &dyn KernelQuery, p: &ExactVector, start: [f64; 3], tally: &mut dyn Tally) -> DirectionCone {
-    approach(&mut RoundedVertices::new(query), start, tally).unwrap_or_else(|| approach_exactly(query, p, start, tally))
+    in_doubles(query, start, tally).unwrap_or_else(|| approach_exactly(query, p, start, tally))
+}
+
+/// The same cone by a search in doubles alone; `None` if rounding hides the direction.
+pub(super) fn in_doubles(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
+    approach(&mut RoundedVertices::new(query), start, tally)
 }
 
 /// The cone that exact simplices of extreme vertices lead to, from a separating direction: until the generators that

@@ -26,6 +26,9 @@
 //!    with the origin inside is crossed by all generators, so that ends.
 //! 6. The generators orthogonal to u span the face of x; `face_point` finds their coefficients.
 //!
+//! Of the distance alone, pairs of doubles take the place of exact numbers in 3 to 5 where they leave no doubt
+//! (`in_pairs`).
+//!
 //! # Complexity
 //! n generators: expected O(n) for the kernel, and O(n) for each of some ten steps until the cone is narrow; then few
 //! generators are left, unless many are orthogonal to u. Each of m such generators takes part in exact operations, a
@@ -59,6 +62,7 @@ mod exact_descent;
 mod exact_simplex;
 mod face_point;
 mod fixed_signs;
+mod in_pairs;
 mod nearest_point;
 mod report;
 mod rounded_vertices;
@@ -98,6 +102,20 @@ pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &m
             Proximity::Disjoint(Box::new(report::lowered(gap)))
         }
     }
+}
+
+/// The distance of the bodies of a query where they stand, 0 where they meet; within two units in the last place.
+///
+/// It is that of [`proximity`], or the double beside it: pairs of doubles know it where they know the face of the
+/// nearest point, and nothing but the distance is made.
+pub fn distance<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> f64 {
+    if let Some(query) = query.in_dimension::<3>() {
+        let Location::Outside(separation) = locate(&query, tally) else { return 0.0 };
+        let start = direction(&separation);
+        return in_pairs::distance(&query, start, tally)
+            .unwrap_or_else(|| in_space(&query, &query.ends(), start, tally).distance());
+    }
+    proximity(query, tally).distance()
 }
 
 #[inline(never)]

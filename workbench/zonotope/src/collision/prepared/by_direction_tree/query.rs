@@ -155,6 +155,10 @@ impl<P: Standing> KernelQuery for TreeQuery<'_, P> {
         cell_near_optimum(&self.tree_parts(), p, tally)
     }
 
+    fn has_exact_sums(&self) -> bool {
+        true
+    }
+
     fn exact_sum_along(&self, direction: &ExactVector) -> Option<ExactVector> {
         let mut sums = self.tree_parts().into_iter().map(|part| part.exact_sum_along(direction));
         let first = sums.next()??;

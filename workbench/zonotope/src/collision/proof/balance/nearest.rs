@@ -19,6 +19,7 @@ use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear;
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::location::{Gauge, Location, Witness};
@@ -28,8 +29,11 @@ use crate::zonotope::query::Query;
 /// The coefficients of a witness's basis, each the nearest double or the one beside it; `None` if its generators are
 /// dependent or nothing solves the equation. O(n).
 fn nearest<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Witness) -> Option<Vec<f64>> {
-    in_doubles(query, witness)
-        .or_else(|| Some(exact_basis(query, witness)?.iter().map(|value| value.to_f64().value()).collect()))
+    in_doubles(query, witness).or_else(|| {
+        let is_finite = witness.coefficients.iter().all(|c| c.is_finite());
+        let exact = if is_finite { exact_basis(query, witness) } else { None };
+        Some(exact?.iter().map(|value| value.to_f64().value()).collect())
+    })
 }
 
 /// The coefficients of the basis, exactly; `None` if its generators are dependent or nothing solves the equation. O(n)
@@ -66,21 +70,35 @@ fn body_of<'q, 'a, const D: usize, P: Standing>(
     index.checked_sub(first.generators().len()).map_or((first, index), |place| (second, place))
 }
 
-/// p − Σ c v over all generators. O(n).
+/// p − Σ c v over all generators, in at most three dimensions. O(n).
 fn rest<const D: usize, P: Standing>(query: &Query<'_, D, P>, coefficients: &[f64]) -> [BoundedDoubleDouble; D] {
     let [first, second] = query.parts();
     let (own, others) = coefficients.split_at(first.generators().len());
-    let own = first.pair_image(combined_sum(first.generators(), own));
-    let others = second.pair_image(combined_sum(second.generators(), others));
+    let sum = |body: &Placed<'_, D, P>, coefficients: &[f64]| {
+        let sum = match body.in_dimension::<3>() {
+            Some(body) => combined_sum(body.rows(), coefficients),
+            None => {
+                let rows: Vec<[f64; 3]> = body.generators().iter().map(padded).collect();
+                combined_sum(Rows::new(&rows), coefficients)
+            }
+        };
+        body.pair_image(array::from_fn(|k| sum[k]))
+    };
+    let (own, others) = (sum(first, own), sum(second, others));
     let p = query.displacement_pairs();
     array::from_fn(|k| p[k] - own[k] - others[k])
+}
+
+/// A vector as one of space, the coordinates beyond D 0.
+#[inline]
+fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+    [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0))
 }
 
 /// A generator in doubles, the coordinates beyond D 0, with a bound of its length |v|_1 of which 4 u bounds the error.
 fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) -> ([f64; 3], f64) {
     let (body, place) = body_of(query, index);
-    let v = body.generators()[place];
-    let v = [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0));
+    let v = padded(&body.generators()[place]);
     match body.standing().pose().and_then(Frame::of) {
         None => (v, sum_norm(&v)),
         Some(frame) => frame.image_with_length(&v),
@@ -90,9 +108,7 @@ fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) ->
 /// The coefficients of a basis that spans the space, each the nearest double or a neighbour of it, if doubles tell.
 fn in_doubles<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Witness) -> Option<Vec<f64>> {
     const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    // what a coefficient is cut into has the digits that the bound of the sum counts on if it is at most 1
-    let is_sound = D <= 3 && witness.basis.len() == D && witness.coefficients.iter().all(|c| c.abs() <= 1.0);
-    if !is_sound {
+    if D > 3 || witness.basis.len() != D {
         return None;
     }
     let pairs = rest(query, &witness.coefficients);
@@ -134,7 +150,7 @@ impl Witness {
     pub fn with_nearest_basis<const D: usize, P: Standing>(mut self, query: &Query<'_, D, P>) -> Self {
         let n = query.len();
         let is_basis = self.coefficients.len() == n && self.basis.iter().all(|&b| b < n);
-        if !is_basis || self.basis.is_empty() || !self.coefficients.iter().all(|c| c.is_finite()) {
+        if !is_basis || self.basis.is_empty() {
             return self;
         }
         let values = nearest(query, &self);

@@ -196,7 +196,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     fn combined(&self, coefficients: &[f64]) -> [BoundedDoubleDouble; 3] {
         let [first, second] = self.parts();
         let (own, others) = coefficients.split_at(first.rows.len());
-        let of = |part: &Part<'_>, coefficients| part.pair_image(&combined_sum(part.rows.list(), coefficients));
+        let of = |part: &Part<'_>, coefficients| part.pair_image(&combined_sum(part.rows, coefficients));
         let (own, others) = (of(&first, own), of(&second, others));
         [own[0] + others[0], own[1] + others[1], own[2] + others[2]]
     }

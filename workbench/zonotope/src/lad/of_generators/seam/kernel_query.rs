@@ -43,6 +43,11 @@ pub(crate) trait KernelQuery: Generators {
         None
     }
 
+    /// Whether such sums are known.
+    fn has_exact_sums(&self) -> bool {
+        false
+    }
+
     /// s such that the gauge of any x is at most s |x|_1, if that is known beforehand.
     fn known_gauge_bound(&self) -> Option<f64> {
         None

@@ -42,6 +42,7 @@ fn check<const D: usize>(query: &Query<'_, D>) -> Result<(), TestCaseError> {
     prop_assert_eq!(answer.status(), location_twin::locate(query).status());
     let truth = brute_force::nearest_point(query);
     prop_assert_eq!(&answer.exact_squared_distance(), &truth.squared_distance);
+    prop_assert!(is_as_far(distance(query, &mut ()), &answer));
     let Some(gap) = answer.gap() else { return Ok(()) };
     prop_assert_eq!(check_distance(query, gap).proof().map(drop), Ok(()), "{:?}", gap);
     let p = query.exact().map(|c| c.to_rational());
@@ -58,6 +59,13 @@ fn check<const D: usize>(query: &Query<'_, D>) -> Result<(), TestCaseError> {
         prop_assert_eq!(feature.kind == FeatureKind::Vertex, feature.generators.is_empty());
     }
     Ok(())
+}
+
+/// A distance that is found alone is as near to the exact one as that of an answer: both are within two units in the
+/// last place.
+fn is_as_far<const D: usize>(distance: f64, answer: &Proximity<D>) -> bool {
+    let apart = |distance: f64| distance.to_bits().abs_diff(answer.distance().to_bits());
+    distance >= 0.0 && apart(distance) <= 4 && (distance > 0.0) == (answer.distance() > 0.0)
 }
 
 /// The direction is a positive multiple of the shortest vector.
@@ -138,6 +146,7 @@ proptest! {
         let (posed, plain) = (body.at(&pose).proximity(&other), image.proximity(&other));
         prop_assert_eq!(posed.status(), plain.status());
         prop_assert_eq!(posed.exact_squared_distance(), plain.exact_squared_distance());
+        prop_assert!(is_as_far(body.at(&pose).distance(&other), &posed));
         if let (Some(gap), Some(expected)) = (posed.gap(), plain.gap()) {
             prop_assert_eq!(gap.direction().map(f64::signum), expected.direction().map(f64::signum));
             prop_assert_eq!(&gap.features, &expected.features);
@@ -154,7 +163,7 @@ fn many_generators() {
         (state >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
     };
     for count in [100, 1000, 5000] {
-        for factor in [1.001, 1.5, 20.0] {
+        for factor in [1.0 + 1e-9, 1.001, 1.5, 20.0] {
             let generators: Vec<[f64; 3]> = (0..count).map(|_| [unit(), unit(), unit()]).collect();
             let direction = [unit(), unit(), unit()];
             let body = Zonotope::new([0.0; 3], generators).expect("finite");
@@ -163,6 +172,7 @@ fn many_generators() {
             let query = Query::between(&body, &other);
             let answer = proximity(&query, &mut ());
             let gap = answer.gap().expect("beyond an extreme point");
+            assert!(is_as_far(distance(&query, &mut ()), &answer), "{count} {factor}");
             assert_eq!(check_distance(&query, gap).proof().map(drop), Ok(()));
         }
     }

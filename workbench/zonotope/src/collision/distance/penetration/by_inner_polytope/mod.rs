@@ -10,15 +10,17 @@
 //! idea without bounds; here the nearest face bounds the depth from below for all directions at once.
 //!
 //! # Method
-//! 1. The kernel decides whether p is inside.
+//! 1. At first 2 and 3 run in plain doubles with one margin for all rounding (`symmetric`), which mostly proves both
+//!    bounds, or that p is outside. Where that leaves a doubt, the kernel decides whether p is inside.
 //! 2. The polytope begins as an octahedron of three extreme vertices of Z and their mirror images (`polytope`). Every
 //!    point that it ever gets is a vertex of Z or the mirror image of one, so it stays within Z.
 //! 3. The plane of the face that is nearest to p, or has p farthest behind it, has a normal u. The vertex of Z that is
 //!    extreme along u joins the polytope with its mirror image. The value h(u) − u · p over |u| bounds the depth from
 //!    above, as a translation of that length along u takes p out of Z; the least distance of a face bounds it from
 //!    below, as the ball of that radius lies within the polytope.
-//! 4. The search runs in doubles. Where their errors hide the last hundredth it is run again in pairs of doubles, and
-//!    where these do not tell, either, in exact numbers (`precision`); of very few generators in these alone.
+//! 4. Else the search runs in doubles that carry bounds. Where their errors hide the last hundredth it is run again in
+//!    pairs of doubles, and where these do not tell, either, in exact numbers (`precision`); of very few generators in
+//!    these alone.
 //!
 //! # Complexity
 //! n generators: O(n) for each new vertex, some ten to some hundred of them, the more the nearer Z is to a ball around
@@ -48,31 +50,27 @@
 mod number;
 mod polytope;
 mod precision;
+mod search_end;
+mod symmetric;
 
 use self::number::Number;
 use self::polytope::Polytope;
 use self::precision::{InDoubles, Listed, Precision};
+pub use self::search_end::ACCURACY;
+use self::search_end::{VERTEX_LIMIT, is_settled, is_too_short};
 use super::Penetration;
 use crate::collision::Location;
 use crate::collision::by_lad::locate;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
-use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::placed::Standing;
 use crate::zonotope::query::Query;
 
-/// By how much the bounds may differ, in terms of the upper one.
-pub const ACCURACY: f64 = 0.01;
-
 /// The most generators of which the polytope grows in exact numbers at once: what doubles would spare is not felt, and
 /// the bounds are as near as rounding leaves them.
 const EXACT_COUNT: usize = 8;
-
-/// The most vertices that the polytope gets in doubles or in pairs: a ball around p takes some three hundred for a
-/// hundredth.
-const VERTEX_LIMIT: usize = 1 << 11;
 
 /// The most vertices that the polytope gets in exact numbers; the bounds hold where it ends.
 const EXACT_VERTEX_LIMIT: usize = 1 << 12;
@@ -82,10 +80,10 @@ const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
-    match locate(query, tally) {
+    symmetric::depth(query, tally).unwrap_or_else(|| match locate(query, tally) {
         Location::Inside(_) => of_inner_point(query, tally),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
-    }
+    })
 }
 
 /// The depth of a displacement that is inside, by the first precision that tells it.
@@ -128,16 +126,6 @@ fn outward(depth: &Penetration<3>, exponent: i64) -> Penetration<3> {
         upper: scale_by_power_of_two(depth.upper, exponent).next_up(),
         direction: depth.direction,
     }
-}
-
-/// Whether the depth is so far below the unit that doubles may not tell its bounds apart.
-fn is_too_short(depth: &Penetration<3>) -> bool {
-    depth.upper < PRODUCT_UNDERFLOW
-}
-
-/// Whether the bounds are as near to each other as they must be.
-fn is_settled(depth: &Penetration<3>) -> bool {
-    depth.upper.is_finite() && depth.is_within(ACCURACY)
 }
 
 /// The bounds that a growing polytope finds: within [`ACCURACY`], or as far as the precision goes.

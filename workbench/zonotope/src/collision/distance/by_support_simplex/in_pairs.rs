@@ -1,0 +1,133 @@
+//! The distance of a point from a zonotope in pairs of doubles, where these tell the face on which the nearest point
+//! lies.
+//!
+//! In a narrow cone around the direction from the nearest point nearly all generators have a fixed sign (the kernel's
+//! sign pass). Let S be their sum and r = p − S. If at most two generators cross the cone, the nearest point of the
+//! face that they span is the foot of r on their plane or line, and so is in the face if its coefficients are in (−1,
+//! 1). Where the direction u from that foot to p is in the cone, all signs are those of u · g_i: no other point of the
+//! body is nearer. One pass sums up S to twice the digits of a double, so that the distance is known beyond a double
+//! unless it is below 2^-40 of the body. All that is asked of the numbers is certain within their bounds; where it is
+//! not, there is no answer, and exact arithmetic finds one.
+
+use std::cmp::Ordering;
+
+use super::direction_guess;
+use crate::collision::proof::vectors::Vectors;
+use crate::lad::of_generators::seam::direction_cone::DirectionCone;
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::sign_pass::Places;
+use crate::numeric::bounded;
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::lanes::signed_factors;
+use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
+use crate::numeric::reused::Reused;
+use crate::numeric::tolerance::{KNOWN_SQUARE, SQUARABLE_SIZES};
+use crate::tally::{Operation, Tally};
+
+/// The least angle of the cone: rounding in doubles must leave no doubt that a direction is in it.
+const LEAST_ANGLE: f64 = 1e-13;
+
+/// The angle of the cone around a direction that may be the normal of a facet, rounded.
+const FACET_ANGLE: f64 = 1e-11;
+
+/// A vector known by pairs of doubles.
+type PairVector = [BoundedDoubleDouble; 3];
+
+/// The distance, within two units in the last place; `start` is a direction in which the displacement is beyond the
+/// body. `None` where pairs of doubles leave a doubt of it.
+///
+/// Near contact the direction that separates is mostly the normal of the facet on which the nearest point lies, so that
+/// its two generators are tried before any search.
+pub(super) fn distance(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tally) -> Option<f64> {
+    let vectors = Vectors::of(query)?;
+    let center = start.map(|c| c / max_norm(&start));
+    let around_start = DirectionCone { center, axes: None, ball: FACET_ANGLE * euclidean_norm(&center) };
+    in_cone(query, &vectors, &around_start, 2, tally).or_else(|| {
+        let guess = direction_guess::in_doubles(query, start, tally)?;
+        let ball = guess.ball.max(LEAST_ANGLE * euclidean_norm(&guess.center));
+        in_cone(query, &vectors, &DirectionCone { ball, ..guess }, 0, tally)
+    })
+}
+
+/// The distance, if the direction to the nearest point is in a cone that at least some and at most two generators
+/// cross. Two passes.
+fn in_cone(
+    query: &dyn KernelQuery,
+    vectors: &Vectors<'_>,
+    cone: &DirectionCone,
+    least_crossing: usize,
+    tally: &mut dyn Tally,
+) -> Option<f64> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let (mut crossing, mut indices) = (Vec::new(), Places::new());
+    query.split(cone, &mut crossing, &mut indices);
+    let pair = |place: &u32| vectors.pairs(*place as usize);
+    let face: Face = match indices.as_slice() {
+        [] => Face::Vertex,
+        [i] => Face::Edge(pair(i)),
+        [i, j] => Face::Facet(pair(i), pair(j)),
+        _ => return None,
+    };
+    if indices.len() < least_crossing {
+        return None;
+    }
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let (sum, p) = (query.combined(&fixed_signs(query, cone, &indices)), query.displacement_pairs());
+    let (direction, square) = face.foot(&[p[0] - sum[0], p[1] - sum[1], p[2] - sum[2]])?;
+    let is_optimal = cone.contains(&direction.map(|c| c.rounded()), &bounded::exact(cone.center));
+    if is_optimal { root(square) } else { None }
+}
+
+/// The sign that each generator has throughout a cone as a coefficient, 0 for those that cross it.
+fn fixed_signs(query: &dyn KernelQuery, cone: &DirectionCone, crossing: &[u32]) -> Reused<f64> {
+    let mut signs = Reused::with_capacity(query.len());
+    for part in query.parts() {
+        let center = part.frame.map_or(cone.center, |frame| frame.pulled_cell(cone).center);
+        signed_factors(part.rows, &center, 1.0, &mut signs);
+    }
+    crossing.iter().for_each(|&index| signs[index as usize] = 0.0);
+    signs
+}
+
+/// A face by the generators that span it.
+enum Face {
+    Vertex,
+    Edge(PairVector),
+    Facet(PairVector, PairVector),
+}
+
+impl Face {
+    /// The direction to a point from its foot on the face, of any length, and the square of the distance; the centre of
+    /// the face is the origin. `None` unless the foot is certainly within the face.
+    fn foot(&self, r: &PairVector) -> Option<(PairVector, BoundedDoubleDouble)> {
+        let is_less =
+            |a: BoundedDoubleDouble, b: &BoundedDoubleDouble| a.abs().certain_order(b) == Some(Ordering::Less);
+        match self {
+            Self::Vertex => Some((*r, dot(r, r))),
+            Self::Edge(v) => {
+                let (along, square) = (dot(r, v), dot(v, v));
+                let across = cross(r, v);
+                let direction = [0, 1, 2].map(|k| r[k] * square - v[k] * along);
+                is_less(along, &square).then(|| (direction, dot(&across, &across) / square))
+            }
+            Self::Facet(v, w) => {
+                let normal = cross(v, w);
+                let (along, square) = (dot(r, &normal), dot(&normal, &normal));
+                let is_inside =
+                    is_less(dot(&cross(r, w), &normal), &square) && is_less(dot(&cross(v, r), &normal), &square);
+                let direction = if along.sign()? < 0 { normal.map(BoundedDoubleDouble::negated) } else { normal };
+                is_inside.then(|| (direction, along * along / square))
+            }
+        }
+    }
+}
+
+/// The root of a square that is known far beyond a double, rounded to the nearest double or the one beside it.
+fn root(square: BoundedDoubleDouble) -> Option<f64> {
+    let (pair, error) = square.parts();
+    // false for NaN as well
+    let is_known = SQUARABLE_SIZES.contains(&pair.high) && error <= KNOWN_SQUARE * pair.high;
+    let first = pair.high.sqrt();
+    let exact = BoundedDoubleDouble::exact(first);
+    is_known.then(|| first + (square - exact * exact).high / (2.0 * first))
+}
