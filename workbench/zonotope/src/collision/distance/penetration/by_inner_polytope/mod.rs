@@ -10,8 +10,9 @@
 //! idea without bounds; here the nearest face bounds the depth from below for all directions at once.
 //!
 //! # Method
-//! 1. At first 2 and 3 run in plain doubles with one margin for all rounding (`symmetric`), which mostly proves both
-//!    bounds, or that p is outside. Where that leaves a doubt, the kernel decides whether p is inside.
+//! 1. The kernel decides whether p is inside: of a p outside it mostly knows that after a pass or two, where a polytope
+//!    would have to grow up to the nearest face. Then 2 and 3 run in plain doubles with one margin for all rounding
+//!    (`symmetric`), which mostly proves both bounds.
 //! 2. The polytope begins as an octahedron of three extreme vertices of Z and their mirror images (`polytope`). Every
 //!    point that it ever gets is a vertex of Z or the mirror image of one, so it stays within Z.
 //! 3. The plane of the face that is nearest to p, or has p farthest behind it, has a normal u. The vertex of Z that is
@@ -80,10 +81,10 @@ const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
-    symmetric::depth(query, tally).unwrap_or_else(|| match locate(query, tally) {
-        Location::Inside(_) => of_inner_point(query, tally),
+    match locate(query, tally) {
+        Location::Inside(_) => symmetric::depth(query, tally).unwrap_or_else(|| of_inner_point(query, tally)),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
-    })
+    }
 }
 
 /// The depth of a displacement that is inside, by the first precision that tells it.

@@ -31,8 +31,7 @@ use crate::tally::{Operation, Tally};
 /// A corner or the opposite one: twice its place in the list, and one more for the opposite one.
 type Corner = u32;
 
-/// The depth of p, if doubles find it: [`Penetration::NONE`] of a p that is certainly outside, `None` where rounding
-/// leaves a doubt.
+/// The depth of a p that is inside, if doubles find it; `None` where rounding leaves a doubt.
 pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Penetration<3>> {
     let body = Body::of(query)?;
     let mut best = Penetration { lower: 0.0, upper: f64::INFINITY, direction: [0.0; 3] };
@@ -46,19 +45,16 @@ pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Pe
     let second = look(sideways(&first), &mut best);
     let third = look(cross(&first, &second), &mut best);
     let mut polytope = Polytope::octahedron(&body, [first, second, third])?;
-    while best.upper > 0.0 && polytope.corners.len() < VERTEX_LIMIT {
+    while polytope.corners.len() < VERTEX_LIMIT {
         let (u, lower) = polytope.nearest();
         best.lower = lower.max(0.0);
         if is_settled(&best) {
             break;
         }
         let vertex = look(u, &mut best);
-        if is_settled(&best) || best.upper <= 0.0 || !polytope.add(vertex) {
+        if is_settled(&best) || !polytope.add(vertex) {
             break;
         }
-    }
-    if best.upper <= 0.0 {
-        return Some(Penetration::NONE);
     }
     (best.lower > 0.0 && is_settled(&best)).then_some(best)
 }
