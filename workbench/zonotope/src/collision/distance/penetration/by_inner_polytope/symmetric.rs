@@ -118,8 +118,7 @@ impl<'q> Body<'q> {
         }
         let gap = dot(&u, &[vertex[0] - self.p[0], vertex[1] - self.p[1], vertex[2] - self.p[2]]);
         let value = gap + (self.margin(&u) + missing) * LONG_SUM;
-        // a value below 0 says that p is outside, whatever the length
-        let upper = if value > 0.0 { value / euclidean_norm(&u) * FIVE_ROUNDINGS } else { value };
+        let upper = value / euclidean_norm(&u) * FIVE_ROUNDINGS;
         // false for NaN as well
         if upper < best.upper {
             (best.upper, best.direction) = (upper, u);
