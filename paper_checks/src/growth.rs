@@ -17,11 +17,16 @@ pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -
 
 /// A sentence on how a quantity grows beside a model; an error unless it is shown to grow no faster.
 pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
+    evidence_beside(&format!("{quantity}, over {model},"), samples, model)
+}
+
+/// The same of a quantity that is named together with what it stands over.
+pub(crate) fn evidence_beside(ratio: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
     let growth = fit_growth(samples, &[model]).map_err(|error| error.to_string())?;
     let fit = growth.model(model).ok_or("the model was not fitted")?;
     let excess = fit.excess_exponent;
     let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
-    let sentence = format!("{quantity}, over {model}, grow with exponent {value} in [{low}, {high}]");
+    let sentence = format!("{ratio} grow with exponent {value} in [{low}, {high}]");
     match fit.verdict {
         ModelVerdict::Within | ModelVerdict::Below => Ok(sentence),
         ModelVerdict::Above => Err(format!("{sentence}, above the bound")),

@@ -1,12 +1,13 @@
 //! Section 4.2, the cost of the program.
 
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth, in_decimals};
+use experiments::fit::GrowthModel;
 use families::clouds;
 use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program};
 use zonotope::linear_program::Clarabel;
 use zonotope::tally::{Operation, OperationCounts};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
+use crate::growth::evidence_beside;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -33,8 +34,7 @@ const POINTS: usize = 800;
 fn check(context: &CheckContext) -> Verdict {
     match reads::<2>(context.seed).and_then(|plane| Ok((plane, reads::<3>(context.seed)?))) {
         Ok((plane, space)) => Verdict::Holds(format!(
-            "along {} to {} directions, what the interior method reads of the printed program, over k^(2d), {plane} \
-             in R^2 and {space} in R^3",
+            "entries that the interior method reads of the printed program along {} to {} directions: {plane}; {space}",
             DIRECTIONS[0],
             DIRECTIONS[DIRECTIONS.len() - 1]
         )),
@@ -56,14 +56,6 @@ fn reads<const D: usize>(seed: u64) -> Result<String, String> {
         let read = counts.get(Operation::EntryRead) as f64;
         samples.push((k as f64, read / (k as f64).powi(2 * D as i32)));
     }
-    let growth = fit_growth(&samples, &[GrowthModel::Constant]).map_err(|error| error.to_string())?;
-    let fit = growth.model(GrowthModel::Constant).ok_or("the model was not fitted")?;
-    let excess = fit.excess_exponent;
-    let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
-    let sentence = format!("grows with exponent {value} in [{low}, {high}]");
-    match fit.verdict {
-        ModelVerdict::Within | ModelVerdict::Below => Ok(sentence),
-        ModelVerdict::Above => Err(format!("in R^{D} it {sentence}, above the bound")),
-        ModelVerdict::Undecided => Err(format!("in R^{D} it {sentence}, which leaves the bound undecided")),
-    }
+    let power = 2 * D;
+    evidence_beside(&format!("in R^{D}, over k^{power}, they"), &samples, GrowthModel::Constant)
 }
