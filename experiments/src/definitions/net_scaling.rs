@@ -30,11 +30,11 @@ pub const SPACE: Experiment = Experiment {
     id: "net-scaling-in-space",
     title: "Least total length along the paper's net of space: growth with the precision",
     question: "What does Theorem 4.7 read, against the precision? n is 1 / epsilon; there are 48 points. \
-               `share_of_points` is the points that the scan reads over their number times epsilon^-(d-1)^2, and `share_of_program` \
-               the entries that the linear programs read, with the directions that are looked at for each multiplier, \
-               over epsilon^-(2d(d-1)), the bound of the theorem with 2 for the factor in its power, fixed before the \
-               counts were seen. `net_size` is the number of directions of the net. In space the sizes are few, \
-               over one doubling, and no law is fitted.",
+               `share_of_points` is the points that the scan reads over their number times epsilon^-(d-1)^2, and \
+               `share_of_program` the entries that the linear programs read, with the directions that are looked at \
+               for each multiplier, over epsilon^-(2d(d-1)), the bound of the theorem with 2 for the factor in its \
+               power, fixed before the counts were seen. `net_size` is the number of directions of the net. In space \
+               the sizes are few, over one doubling, and no law is fitted.",
     claims: &["theorem-4.7"],
     families: &["sphere_3"],
     real_inputs: &[],

@@ -30,7 +30,7 @@ const SETS: u64 = 3;
 /// Points of each instance, on a sphere, so that most normals have an extreme point of their own.
 const POINTS: usize = 800;
 
-/// What an interior method reads of the printed program grows no faster than k^(2d), whose power is fixed beforehand.
+/// Reads of the printed program by an interior method grow no faster than k^(2d), a power that was fixed beforehand.
 fn check(context: &CheckContext) -> Verdict {
     match reads::<2>(context.seed).and_then(|plane| Ok((plane, reads::<3>(context.seed)?))) {
         Ok((plane, space)) => Verdict::Holds(format!(

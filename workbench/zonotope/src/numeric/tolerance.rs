@@ -107,7 +107,7 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 /// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 256 vectors,
 /// in each of eight lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a
 /// number that stays below 33 u, which takes 32 · 34 = 1,088. Three additions by halves join the lanes, each of numbers
-/// below 36 u with a remainder: less than 3 · 72. What joining the blocks rounds off is kept. Together that is less than
+/// below 36 u with a remainder: less than 3 · 72. Remainders of joining the blocks are kept. Together that is less than
 /// 2^11. Vectors that are added with signs alone have remainders of additions and no products.
 pub(crate) const COMBINED_SUM: f64 = power_of_two(-94);
 

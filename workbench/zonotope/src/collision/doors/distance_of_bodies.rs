@@ -7,7 +7,7 @@ use crate::zonotope::query::Query;
 
 impl<const D: usize> Zonotope<D> {
     /// The Euclidean distance of two closed bodies, 0 where they meet; within two units in the last place. Expected
-    /// O(n), in space mostly in doubles and pairs of them. The points, faces and coefficients that prove it are those of
+    /// O(n), in space mostly in doubles and pairs of them. Points, faces and coefficients that prove it are those of
     /// [`proximity`](Self::proximity), whose cost is several times that.
     pub fn distance(&self, other: &Self) -> f64 {
         by_support_simplex::distance(&Query::between(self, other), &mut ())
