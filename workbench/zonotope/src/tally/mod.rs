@@ -26,8 +26,8 @@ named_variants! {
     Turn => "turn";
     /// One point read by a pass over the points.
     PointRead => "point_read";
-    /// One point read by the scan of Theorem 4.6 for the farthest points along the normals of all facets. The reads of a
-    /// proof that follows the scan, which is not of the paper, are counted apart from these.
+    /// One point read by the scan of Theorem 4.6 for the farthest points along the normals of all facets.
+    /// Reads of a proof that follows the scan, which is not of the paper, are counted apart from these.
     ScanRead => "scan_read";
     /// One generator read and evaluated; divided by the number of generators: passes over the data.
     GeneratorRead => "generator_read";
