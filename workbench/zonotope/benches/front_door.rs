@@ -79,7 +79,7 @@ fn front_door(criterion: &mut Criterion) {
             let scene = Scene::new(count, gauge);
             for (name, call) in CALLS {
                 let id = BenchmarkId::new(format!("{name}/{count}"), place);
-                criterion.bench_with_input(id, &scene, |bencher, scene| call(bencher, scene));
+                criterion.bench_with_input(id, &scene, call);
             }
         }
     }
