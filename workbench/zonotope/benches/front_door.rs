@@ -1,5 +1,5 @@
-//! What a caller gets: each question about bodies through the public methods, with the proof that it comes with, on
-//! bodies that were prepared beforehand. `pass` is the support function in doubles, to measure the others by.
+//! The time of each question about bodies through the public methods, with the proof that it comes with, on bodies
+//! that were prepared beforehand. `pass` is the support function in doubles, to measure the others by.
 //!
 //! `cargo bench -p zonotope --bench front_door`; a filter such as `-- gauge` or `-- /1024/` selects questions or sizes.
 

@@ -1,4 +1,4 @@
-//! How often questions read the generators, beside the numbers that are stored here: a pass that is added without a
+//! Passes of questions over the generators, beside the numbers that are stored here: a pass that is added without a
 //! reason is noticed the day it is added. The counts are the same on every machine.
 
 use rand::{RngExt, SeedableRng};
@@ -10,7 +10,7 @@ use zonotope::tally::{Operation, OperationCounts};
 /// Questions of each kind.
 const QUESTIONS: usize = 8;
 
-/// What is asked, with its operations counted.
+/// A method that answers a query, with its operations counted.
 type Question = fn(&Query<'_, 3>, &mut OperationCounts);
 
 /// A question, the number of generators, the gauge of the displacement, and the passes of all questions together.
