@@ -26,18 +26,19 @@ use crate::zonotope::location::Witness;
 /// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
-/// The proof, from the computed normal u of two generators with u · p > 0 and the signs of all products with it.
-/// `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
+/// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite, and the
+/// signs of all products with it. Which of the two u is cannot be read off u: its square underflows where the generators
+/// are short. `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
 pub(super) fn touching(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
     pair: [usize; 2],
     u: &[f64; 3],
+    is_reversed: bool,
     signs: &mut [f64],
     errors: &[f64; 3],
 ) -> Option<Proof> {
     let [a, b] = pair.map(|i| vectors.value(i));
-    let is_reversed = dot(u, &cross(&a, &b)) < 0.0;
     let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
     let are_rows = vectors.parts.iter().all(|part| part.frame.is_none());
     let exact_pair = pair.map(|i| query.exact_generator(i));
@@ -79,6 +80,10 @@ pub(super) fn touching(
         let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
         let in_plane: Reused<[f64; 2]> = members.iter().map(|&i| plane(&vectors.value(i))).collect();
         let shares = facet_coefficients(&in_plane, plane(&rounded)).ok()?;
+        // coordinates in the plane may leave the range of doubles
+        if shares.iter().any(|share| share.is_nan()) {
+            return None;
+        }
         for (&i, &share) in members.iter().zip(&shares) {
             signs[i] = if share.abs() > NEARLY_ONE { share.signum() } else { share };
         }

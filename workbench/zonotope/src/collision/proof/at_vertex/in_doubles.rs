@@ -181,7 +181,7 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
             return proof;
         }
     }
-    let exactly = |signs: &mut [f64]| touching(query, &vectors, pair, &u, signs, &errors);
+    let exactly = |signs: &mut [f64]| touching(query, &vectors, pair, &u, reversed, signs, &errors);
     let in_pairs = |signs: &[f64]| location_in_pairs(query, &vectors, pair, &u, reversed, signs);
     if (along.value - reach.value).abs() < LIKELY_CONTACT * UNIT * sums.reach {
         exactly(&mut signs).or_else(|| in_pairs(&signs))
