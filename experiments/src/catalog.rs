@@ -3,10 +3,11 @@
 use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, coherence, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate,
-    few_generators, gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, length_ratio,
-    methods_agree, min_area_scaling, min_area_stages, motion_clearance, motion_misses, net_points, net_scaling,
-    patches_error, patches_scaling, points_scaling, pruning_passes, query_growth, query_trade_off, reduction_error,
-    rung_shares, scan_race, slope_selection_scaling, swept_volumes, tree_queries, walk_steps, wrong_answers,
+    few_generators, gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, least_volume,
+    length_ratio, mesh_node_tests, methods_agree, min_area_scaling, min_area_stages, motion_clearance, motion_misses,
+    net_points, net_scaling, patches_error, patches_scaling, points_scaling, pruning_passes, query_growth,
+    query_trade_off, reduction_error, rung_shares, scan_race, slope_selection_scaling, swept_volumes, tree_queries,
+    walk_steps, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -50,6 +51,9 @@ pub static EXPERIMENTS: &[Experiment] = &[
     motion_clearance::GROWTH,
     motion_clearance::STRENGTH,
     motion_misses::EXPERIMENT,
+    mesh_node_tests::COUNTS,
+    mesh_node_tests::TIMES,
+    least_volume::EXPERIMENT,
 ];
 
 /// The experiment called `id`, if there is one.
@@ -86,7 +90,8 @@ mod tests {
                     || families::lines::find(id).is_some()
                     || families::bodies::is_known(id)
                     || families::clouds::find(id).is_some()
-                    || families::motions::find(id).is_some();
+                    || families::motions::find(id).is_some()
+                    || crate::hierarchies::mesh(id).is_ok();
                 assert!(found, "{}: {id}", experiment.id);
             }
             for name in experiment.real_inputs {

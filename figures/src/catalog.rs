@@ -4,12 +4,13 @@ use crate::figure::Figure;
 use crate::gallery::{
     arrangement_and_level_sets, certificates_of_intersection, coherence, control_zonotopes, country_outlines,
     cutting_and_image, directions_needed, dual_zonotope, duality_family, facet_walk, few_generators, gap_curve,
-    length_ratio, mesh_in_zonohedra, motion_time_bar, named_zonohedra, nested_hierarchy, paper_figure_1,
-    paper_figure_2, paper_figure_3, polygon_and_reflection, query_trade_off, reduction_error, reductions,
-    scaling_collision_operations, scaling_collision_times, scaling_face_counts, scaling_kernel_operations,
-    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times, scaling_program_rows,
-    scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2, separators, swept_volumes, tracked_features,
-    walk_steps, zonogons_along_directions,
+    least_volume, length_ratio, mesh_cost_against_fit, mesh_in_hierarchy, mesh_in_zonohedra, mesh_node_tests,
+    motion_time_bar, named_zonohedra, nested_hierarchy, paper_figure_1, paper_figure_2, paper_figure_3,
+    polygon_and_reflection, query_trade_off, reduction_error, reductions, scaling_collision_operations,
+    scaling_collision_times, scaling_face_counts, scaling_kernel_operations, scaling_kernel_times,
+    scaling_min_area_operations, scaling_min_area_times, scaling_program_rows, scaling_program_times,
+    search_of_theorem_4_5, search_of_theorem_5_2, separators, swept_volumes, tracked_features, walk_steps,
+    zonogons_along_directions,
 };
 
 /// Every figure, in the order of reports.
@@ -54,6 +55,10 @@ pub static FIGURES: &[Figure] = &[
     swept_volumes::FIGURE,
     control_zonotopes::FIGURE,
     motion_time_bar::FIGURE,
+    mesh_in_hierarchy::FIGURE,
+    mesh_node_tests::FIGURE,
+    mesh_cost_against_fit::FIGURE,
+    least_volume::FIGURE,
 ];
 
 /// The figure called `id`, if there is one.

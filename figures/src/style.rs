@@ -62,7 +62,7 @@ pub const SERIES: [Color; 6] = [INPUT, REFLECTED, ENCLOSING, OPTIMUM, SKY, OLIVE
 
 /// The colours of methods: a method has the same one in every plot. Where methods are compared, blue is the one that is
 /// used by default, orange the paper's own, green the next exact one; other colours are for the rest.
-const METHODS: [(&str, Color); 40] = [
+const METHODS: [(&str, Color); 49] = [
     ("by_pruning", INPUT),
     ("by_control_points", INPUT),
     ("by_lad", INPUT),
@@ -103,6 +103,15 @@ const METHODS: [(&str, Color); 40] = [
     ("microlp", OLIVE),
     ("scott", OLIVE),
     ("adaptive", GREY),
+    ("zonotope_6", INPUT),
+    ("zonotope_5", REFLECTED),
+    ("zonotope_4", ENCLOSING),
+    ("zonotope_3", OPTIMUM),
+    ("aabb", SKY),
+    ("dop_18", FOCUS),
+    ("dop_26", OLIVE),
+    ("obb", INK),
+    ("sphere", GREY),
 ];
 
 /// The colour of the method with this id; ink for one that is compared with no other.

@@ -3,7 +3,8 @@
 //!
 //! - [`points`]: point sets in the plane; [`clouds`]: point clouds in two to four dimensions;
 //! - [`lines`]: lines for the kernel;
-//! - [`bodies`]: generators of zonotopes; [`motions`]: bodies that move past each other;
+//! - [`bodies`]: generators of zonotopes; [`motions`]: bodies that move past each other; [`meshes`]: surfaces of
+//!   triangles;
 //! - [`source`]: the random source that all of them draw from.
 //!
 //! A family is a static value; the instance is a function of the family, the number of its parts and a seed.
@@ -15,6 +16,7 @@ pub mod clouds;
 #[cfg(feature = "drawn")]
 pub mod drawn;
 pub mod lines;
+pub mod meshes;
 pub mod motions;
 pub mod points;
 pub mod source;

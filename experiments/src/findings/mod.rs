@@ -9,10 +9,12 @@
 //! | `collision` | section 5.1, and the explicit faces |
 //! | `repeated` | section 5.2 |
 //! | `motion` | section 6 |
+//! | `meshes` | hierarchies over meshes, and zonotopes of little volume: section 7 |
 
 mod collision;
 mod finding;
 mod lengths;
+mod meshes;
 mod motion;
 mod plane;
 mod repeated;
@@ -23,7 +25,7 @@ use crate::measured::Measured;
 
 /// All sentences.
 static FINDINGS: &[&[Findings]] =
-    &[plane::FINDINGS, lengths::FINDINGS, collision::FINDINGS, repeated::FINDINGS, motion::FINDINGS];
+    &[plane::FINDINGS, lengths::FINDINGS, collision::FINDINGS, repeated::FINDINGS, motion::FINDINGS, meshes::FINDINGS];
 
 /// The sentences about operation counts and values of an experiment.
 pub fn counted(experiment: &str, found: &Measured<'_>) -> Vec<String> {

@@ -58,6 +58,18 @@ pub struct Topology {
     pub(super) order: Vec<u32>,
 }
 
+impl Topology {
+    /// The nodes in depth-first order, the root first.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The triangles in the order in which those below a node stand together.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+}
+
 /// A triangle as the builder sees it.
 #[derive(Debug, Clone, Copy)]
 struct Item {

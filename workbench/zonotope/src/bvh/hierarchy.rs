@@ -73,6 +73,16 @@ impl<V: BoundingVolume> Bvh<V> {
         self.exponent
     }
 
+    /// Half the diagonal of the box of a node, in the same units.
+    pub(crate) fn size(&self, node: usize) -> f64 {
+        self.sizes[node]
+    }
+
+    /// Whether vertices lost digits on their way into the units.
+    pub(crate) fn is_rounded(&self) -> bool {
+        self.rounding > 0.0
+    }
+
     /// Moves the vertices and fits every volume anew, with the tree and the directions as they are. O(n log n).
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 //! `tests/mod.rs`, which then holds it to all that is asked of a volume.
 
 use super::frame::Frame;
+use crate::zonotope::Zonotope;
 
 /// A convex body around the points of a node.
 ///
@@ -46,9 +47,20 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     /// Whether a point is inside, exactly.
     fn contains(&self, point: &[f64; 3]) -> bool;
 
+    /// A zonotope that contains the volume, exactly.
+    fn as_zonotope(&self) -> Zonotope<3>;
+
     /// The expected number of overlaps with its like in a random relative placement, up to a constant: V1 V2 + 2 V3 in
     /// intrinsic volumes, the mean width, half the surface and the volume, by the kinematic formula.
     fn expected_overlaps(&self) -> f64;
+}
+
+/// The box with these half-lengths along the axes, which are made a little larger: what rounding a middle and a half
+/// costs, of extents of magnitude at most [`REACH_LIMIT`](super::frame::REACH_LIMIT).
+pub(in crate::bvh) fn box_around(center: [f64; 3], half: [f64; 3]) -> Zonotope<3> {
+    let [a, b, c] = half.map(|c| c + 64.0 * f64::EPSILON);
+    Zonotope::new(center, vec![[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]])
+        .expect("a volume of finite points is finite")
 }
 
 /// V1 V2 + 2 V3 of a zonotope: V1 is twice the total half-length, V2 and V3 the sums of areas and volumes of the

@@ -246,6 +246,11 @@ impl Motion {
         }
     }
 
+    /// Whether the placements at rational times are rational.
+    pub fn is_rational(&self) -> bool {
+        matches!(self.0, Kind::Rational(_))
+    }
+
     /// Whether the motion turns about an axis that stays where it is, at constant rate.
     pub(super) fn only_turns(&self) -> bool {
         match &self.0 {

@@ -21,11 +21,18 @@ pub(super) trait Scalar: Ring {
     /// Whether the exact value is greater than 0 beyond doubt.
     fn is_certainly_positive(&self) -> bool;
 
+    /// The largest of some numbers, of which there is at least one.
+    fn largest(numbers: impl Iterator<Item = Self>) -> Self;
+
     /// Σ |u · g| over generators g for each of several directions u; `magnitude` is Σ |g|_1, but for rounding.
     fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K];
 }
 
 impl Scalar for f64 {
+    fn largest(numbers: impl Iterator<Item = Self>) -> Self {
+        numbers.fold(f64::NEG_INFINITY, f64::max)
+    }
+
     fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
         absolute_sums(Rows::new(generators), directions)
     }
@@ -51,6 +58,16 @@ impl Scalar for f64 {
 }
 
 impl Scalar for Bounded {
+    /// The largest of the true numbers is at least the largest value less the largest error, and no more than both.
+    fn largest(numbers: impl Iterator<Item = Self>) -> Self {
+        let first = Self { value: f64::NEG_INFINITY, error: 0.0 };
+        numbers.fold(first, |most, number| Self {
+            value: most.value.max(number.value),
+            // NaN is no bound and must stay
+            error: if number.error > most.error || number.error.is_nan() { number.error } else { most.error },
+        })
+    }
+
     fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
         bounded_sums(Rows::new(generators), magnitude, directions)
     }
@@ -78,6 +95,11 @@ impl Scalar for Bounded {
 }
 
 impl Scalar for Dyadic {
+    fn largest(numbers: impl Iterator<Item = Self>) -> Self {
+        let larger = |most: Self, number: Self| if number.minus(&most).sign().is_gt() { number } else { most };
+        numbers.reduce(larger).unwrap_or_else(Self::zero)
+    }
+
     fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
         let reach = |u: &[Self; 3]| {
             generators.iter().map(|g| dot(u, &g.map(Self::of)).abs()).fold(Self::zero(), |sum, c| sum + c)

@@ -1,5 +1,6 @@
 //! The chapters, one file each.
 
+mod bounding_volumes;
 mod duality;
 mod faces;
 mod intersection;
@@ -23,6 +24,7 @@ pub static CHAPTERS: &[&Chapter] = &[
     &intersection::CHAPTER,
     &repeated_tests::CHAPTER,
     &motion::CHAPTER,
+    &bounding_volumes::CHAPTER,
 ];
 
 #[cfg(test)]

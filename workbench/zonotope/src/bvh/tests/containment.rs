@@ -32,7 +32,16 @@ fn read(file: &str) -> Mesh {
 
 fn validate<V: BoundingVolume>(mesh: &Mesh, effort: usize) {
     let options = BuildOptions { effort, ..BuildOptions::default() };
-    assert_eq!(Bvh::<V>::build_with(mesh, &options).validate(), Ok(()), "{}", V::NAME);
+    let hierarchy = Bvh::<V>::build_with(mesh, &options);
+    assert_eq!(hierarchy.validate(), Ok(()), "{}", V::NAME);
+    for (node, volume) in hierarchy.topology.nodes.iter().zip(&hierarchy.volumes) {
+        let body = volume.as_zonotope();
+        for &triangle in &hierarchy.topology.order[node.range()] {
+            for vertex in mesh.triangles()[triangle as usize] {
+                assert_eq!(body.contains(hierarchy.points[vertex as usize]), Ok(true), "{}", V::NAME);
+            }
+        }
+    }
 }
 
 #[test]

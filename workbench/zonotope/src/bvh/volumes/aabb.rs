@@ -1,7 +1,8 @@
 //! The box along the axes of the mesh.
 
 use crate::bvh::frame::Frame;
-use crate::bvh::volume::{BoundingVolume, expected_overlaps_of_generators};
+use crate::bvh::volume::{BoundingVolume, box_around, expected_overlaps_of_generators};
+use crate::zonotope::Zonotope;
 
 /// A box along the axes, by its least and its largest corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +80,10 @@ impl BoundingVolume for Aabb {
 
     fn contains(&self, point: &[f64; 3]) -> bool {
         (0..3).all(|k| (self.low[k]..=self.high[k]).contains(&point[k]))
+    }
+
+    fn as_zonotope(&self) -> Zonotope<3> {
+        box_around(self.center(), self.half())
     }
 
     fn expected_overlaps(&self) -> f64 {

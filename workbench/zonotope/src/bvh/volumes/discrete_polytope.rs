@@ -8,10 +8,11 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::bvh::frame::Frame;
-use crate::bvh::volume::BoundingVolume;
+use crate::bvh::volume::{BoundingVolume, box_around};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::lanes::level::level_for_few;
 use crate::numeric::linear::dot;
+use crate::zonotope::Zonotope;
 
 /// Rows side by side.
 const LANES: usize = 8;
@@ -225,6 +226,13 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
             let height = height(normal);
             height <= Dyadic::from_f64(*forth) && -height <= Dyadic::from_f64(*back)
         })
+    }
+
+    fn as_zonotope(&self) -> Zonotope<3> {
+        // the first three normals are the axes
+        let [high, low] = [0, 1].map(|side| [0, 1, 2].map(|k| self.reaches[side][k]));
+        let half = |sign: f64| [0, 1, 2].map(|k| 0.5 * (high[k] + sign * low[k]));
+        box_around(half(-1.0), half(1.0))
     }
 
     fn expected_overlaps(&self) -> f64 {

@@ -8,11 +8,12 @@
 //! | [`discrete_polytope`] | polytope of 18 or 26 fixed normals | 18 or 26 faces |
 //! | [`zonotope`] | zonotope of 3 to 8 generators | its own facets and the other one's; of 3 generators also 9 pairs |
 //!
-//! `fitting` finds directions of generators.
+//! `fitting` finds directions of generators; [`least_volume`] asks it for the least volume in place of the fewest tests.
 
 pub mod aabb;
 pub mod discrete_polytope;
 mod fitting;
+pub mod least_volume;
 pub mod oriented_box;
 pub mod sphere;
 pub mod zonotope;

@@ -4,11 +4,19 @@ use super::fitting::fit_box;
 use super::zonotope::Zonotope3;
 use crate::bvh::frame::Frame;
 use crate::bvh::volume::BoundingVolume;
+use crate::zonotope::Zonotope;
 
 /// A box in any position, searched for the least expected number of overlaps: a zonotope of three orthogonal
 /// generators, tested as one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OrientedBox(Zonotope3);
+
+impl OrientedBox {
+    /// The box without its margin, for pictures: it may miss its points by rounding.
+    pub fn shape(&self) -> Zonotope<3> {
+        self.0.shape()
+    }
+}
 
 impl BoundingVolume for OrientedBox {
     const NAME: &'static str = "OBB";
@@ -34,6 +42,10 @@ impl BoundingVolume for OrientedBox {
 
     fn contains(&self, point: &[f64; 3]) -> bool {
         self.0.contains(point)
+    }
+
+    fn as_zonotope(&self) -> Zonotope<3> {
+        self.0.as_zonotope()
     }
 
     fn expected_overlaps(&self) -> f64 {

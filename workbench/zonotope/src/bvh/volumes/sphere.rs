@@ -4,11 +4,12 @@ use std::f64::consts::PI;
 
 use super::aabb::Aabb;
 use crate::bvh::frame::Frame;
-use crate::bvh::volume::BoundingVolume;
+use crate::bvh::volume::{BoundingVolume, box_around};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{difference, dot, exact};
 use crate::numeric::linear::{euclidean_norm, norm_of_any_size};
 use crate::numeric::tolerance::ROUNDED_RADIUS;
+use crate::zonotope::Zonotope;
 
 /// A ball by its centre and radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +46,10 @@ impl BoundingVolume for Sphere {
         let from_center = difference(&exact(*point), &exact(self.center));
         let radius = Dyadic::from_f64(self.radius);
         dot(&from_center, &from_center) <= &radius * &radius
+    }
+
+    fn as_zonotope(&self) -> Zonotope<3> {
+        box_around(self.center, [self.radius; 3])
     }
 
     fn expected_overlaps(&self) -> f64 {

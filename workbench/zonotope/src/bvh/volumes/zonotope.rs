@@ -95,6 +95,12 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         Self { center: fitted.center, directions, generators, margin, facets }
     }
 
+    /// The body without its margin, for pictures: it may miss its points by rounding.
+    pub fn shape(&self) -> Body<3> {
+        let generators = self.generators.iter().copied().filter(|g| *g != [0.0; 3]).collect();
+        Body::new(self.center, generators).expect("a volume of finite points is finite")
+    }
+
     /// The body with its margin as three generators along the axes.
     fn body(&self) -> Option<Body<3>> {
         let m = self.margin;
@@ -211,6 +217,10 @@ impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
 
     fn contains(&self, point: &[f64; 3]) -> bool {
         self.body().is_some_and(|body| body.contains(*point) == Ok(true))
+    }
+
+    fn as_zonotope(&self) -> Body<3> {
+        self.body().expect("a volume of finite points is finite")
     }
 
     fn expected_overlaps(&self) -> f64 {

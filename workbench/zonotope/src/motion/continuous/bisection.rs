@@ -42,7 +42,7 @@ pub(super) fn first_contact(
         Err(found) => found,
     };
     let open = |times| Open { times, hints: [start, None], meets: None };
-    let mut stack: Vec<Open> = scene.parts().into_iter().rev().map(open).collect();
+    let mut stack: Vec<Open> = scene.moving.parts().into_iter().rev().map(open).collect();
     for _ in 0..STRETCH_LIMIT {
         let Some(Open { times, hints, meets }) = stack.pop() else { return FirstContact::Separate { free } };
         tally.add(Operation::Stretch, 1);
@@ -51,9 +51,9 @@ pub(super) fn first_contact(
         match meets {
             Some(witness) if width <= resolution => return FirstContact::Contact { free, time: times, witness },
             Some(_) => {}
-            None if scene.is_whole(times) => {
+            None if scene.moving.is_whole(times) => {
                 let known: Vec<[f64; 3]> = hints.iter().rev().flatten().filter_map(fixed_in_space).collect();
-                if let Some(u) = bound.proof(scene, &scene.stretch(times), times, &known, tally) {
+                if let Some(u) = bound.proof(scene, &scene.moving.stretch(times), times, &known, tally) {
                     free.push(FreeStretch { from, until, direction: SeparatingDirection::Space(u) });
                     continue;
                 }

@@ -106,9 +106,9 @@ impl Placement {
     }
 }
 
-/// u · (c_b − c_a) − Σ |u · g| over the generators of both bodies as they are placed.
-pub fn gap(bodies: [&Zonotope<3>; 2], placements: [&Placement; 2], direction: &SeparatingDirection) -> Rational {
-    let u = match direction {
+/// A direction as the placements turn it.
+fn turned_with(placements: [&Placement; 2], direction: &SeparatingDirection) -> [Rational; 3] {
+    match direction {
         SeparatingDirection::Space(u) => u.map(rational),
         SeparatingDirection::First(u) => placements[0].turned(*u),
         SeparatingDirection::Second(u) => placements[1].turned(*u),
@@ -116,7 +116,12 @@ pub fn gap(bodies: [&Zonotope<3>; 2], placements: [&Placement; 2], direction: &S
             let (e, f) = (placements[0].turned(*e), placements[1].turned(*f));
             cross(&e, &f)
         }
-    };
+    }
+}
+
+/// u · (c_b − c_a) − Σ |u · g| over the generators of both bodies as they are placed.
+pub fn gap(bodies: [&Zonotope<3>; 2], placements: [&Placement; 2], direction: &SeparatingDirection) -> Rational {
+    let u = turned_with(placements, direction);
     let [from, to] = [0, 1].map(|i| placements[i].of(bodies[i].center()));
     let apart = [0, 1, 2].map(|k| &to[k] - &from[k]);
     let reach = |i: usize| {
@@ -124,4 +129,17 @@ pub fn gap(bodies: [&Zonotope<3>; 2], placements: [&Placement; 2], direction: &S
         along.map(|c| if c < Rational::ZERO { -c } else { c }).fold(Rational::ZERO, |sum, c| sum + c)
     };
     dot(&u, &apart) - reach(0) - reach(1)
+}
+
+/// The least u · y − u · x over the corners x of the first hull and y of the second as they are placed, where both have
+/// corners.
+pub fn gap_of_corners(
+    corners: [&[[f64; 3]]; 2],
+    placements: [&Placement; 2],
+    direction: &SeparatingDirection,
+) -> Option<Rational> {
+    let u = turned_with(placements, direction);
+    let along = |i: usize| corners[i].iter().map(|corner| dot(&u, &placements[i].of(*corner))).collect::<Vec<_>>();
+    let (farthest, nearest) = (along(0).into_iter().max()?, along(1).into_iter().min()?);
+    Some(nearest - farthest)
 }

@@ -70,7 +70,7 @@ fn advanced(scene: &Scene<'_>, resolution: f64, tally: &mut dyn Tally) -> FirstC
         return FirstContact::Contact { free, time: [0.0; 2], witness };
     }
     let mut steps = 0;
-    for [mut from, end] in scene.parts() {
+    for [mut from, end] in scene.moving.parts() {
         while from < end {
             steps += 1;
             tally.add(Operation::Stretch, 1);
@@ -107,12 +107,14 @@ fn step(scene: &Scene<'_>, [from, end]: [f64; 2], tally: &mut dyn Tally) -> Opti
     // at least the largest
     let distance = proximity.distance().min(f64::MAX) * (2.0 - RATE_ROUNDING);
     let mut until = end;
-    while until > from && (!scene.is_whole([from, until]) || scene.margin([from, until]) > distance / MARGIN_SHARE) {
+    while until > from
+        && (!scene.moving.is_whole([from, until]) || scene.moving.margin([from, until]) > distance / MARGIN_SHARE)
+    {
         until = from + (until - from) / 2.0;
     }
-    let stretch = scene.stretch([from, until]);
+    let stretch = scene.moving.stretch([from, until]);
     let size = stretch.size_of(0) + stretch.size_of(1);
-    let distance = distance - POSE_ROUNDING * size - 2.0 * scene.margin([from, until]);
+    let distance = distance - POSE_ROUNDING * size - 2.0 * scene.moving.margin([from, until]);
     let [first, second] = stretch.rates();
     let nearing = dot(&unit, &first.travel) - dot(&unit, &second.travel) + (RATE_ROUNDING - 1.0) * size;
     let speed = (nearing + first.speed_along(&unit) + second.speed_along(&unit)) * RATE_ROUNDING;

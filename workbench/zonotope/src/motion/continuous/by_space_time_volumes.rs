@@ -82,7 +82,7 @@ impl Bound for Volumes {
         tally: &mut dyn Tally,
     ) -> Option<[f64; 3]> {
         let [a, b] = [0, 1].map(|i| {
-            let pad = (RATE_ROUNDING - 1.0) * stretch.size_of(i) + scene.margin(times);
+            let pad = (RATE_ROUNDING - 1.0) * stretch.size_of(i) + scene.moving.margin(times);
             volume(&stretch.bodies[i], &stretch.arcs[i].rounded(), pad)
         });
         let (a, b) = (a?, b?);

@@ -19,6 +19,7 @@
 
 use super::SeparatingDirection;
 use super::gap::Stretch;
+use super::parts::body::Body;
 use crate::motion::bernstein;
 use crate::numeric::linear::sum_norm;
 use crate::numeric::tolerance::{GAP_ROUNDING, GENERATOR_ROUNDING, MODERATE_SIZES};
@@ -40,7 +41,7 @@ impl Stretch<'_, f64> {
         };
         let lengths = b.weight * own(0) + a.weight * own(1);
         let size = turns[0] * turns[1] * lengths;
-        let generators: usize = self.bodies.iter().map(|body| body.generators().len()).sum();
+        let generators: usize = self.bodies.iter().map(Body::terms).sum();
         let factors = [turns[0], turns[1], a.weight, b.weight, lengths, size];
         if factors.iter().all(|factor| MODERATE_SIZES.contains(factor)) {
             (GAP_ROUNDING + GENERATOR_ROUNDING * generators as f64) * size
@@ -69,7 +70,6 @@ pub(super) fn doubt_along(rounding: f64, direction: &SeparatingDirection) -> f64
 
 #[cfg(test)]
 mod tests {
-    use super::super::parts::body::Body;
     use super::super::parts::margin::Margin;
     use super::super::tests::{random_body, random_parts};
     use super::*;

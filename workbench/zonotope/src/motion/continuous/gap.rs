@@ -16,7 +16,7 @@
 use std::cell::OnceCell;
 
 use super::SeparatingDirection;
-use super::parts::body::Body;
+use super::parts::body::{Body, Side};
 use super::parts::margin::{self, Margin};
 use super::parts::rates::Rates;
 use crate::motion::arc::{Arc, displacement};
@@ -25,6 +25,9 @@ use crate::motion::quaternion::{image, transposed_image};
 use crate::motion::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::{cross, dot, sum_norm};
+
+/// A direction leads away from the first body and to the second.
+const SIDES: [Side; 2] = [Side::Away, Side::Toward];
 
 /// A matrix by rows.
 pub(super) type Matrix<T> = [[T; 3]; 3];
@@ -116,12 +119,12 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let arm = arc.arm_of(&body.center());
         if arc.is_translation {
             let pulled = transposed_image(&rotations[0], u);
-            let [reach] = body.reaches(std::array::from_ref(&pulled));
+            let [reach] = body.reaches(SIDES[i], std::array::from_ref(&pulled));
             let thrice = |end: T| [end.clone(), end.plus(&end), end];
             return (thrice(dot(&pulled, &arm)), thrice(reach));
         }
         let pulled = rotations.each_ref().map(|m| transposed_image(m, u));
-        (pulled.each_ref().map(|u| dot(u, &arm)), body.reaches(&pulled))
+        (pulled.each_ref().map(|u| dot(u, &arm)), body.reaches(SIDES[i], &pulled))
     }
 
     /// The gap along a direction that is fixed in one body, from that body to the other.
@@ -131,11 +134,11 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         let pull = if own == 0 { transposed_image } else { image };
         let pulled = self.seen().each_ref().map(|m| pull(m, u));
         let weight = a.weight.times(&b.weight);
-        let [reach] = self.bodies[own].reaches(std::array::from_ref(u));
+        let [reach] = self.bodies[own].reaches(Side::Away, std::array::from_ref(u));
         let ends = weight.times(&reach).plus(&b.weight.times(&dot(u, &a.arm_of(&self.bodies[own].center()))));
         let arm = b.arm_of(&self.bodies[other].center()).map(|c| c.times(&a.weight));
         let arms = pulled.each_ref().map(|u| dot(u, &arm));
-        let apart = difference(&arms, &multiple(&weight, &self.bodies[other].reaches(&pulled)));
+        let apart = difference(&arms, &multiple(&weight, &self.bodies[other].reaches(Side::Toward, &pulled)));
         let apart = self.without(margin, difference(&apart, &multiple(&ends, &self.square)));
         let turned = self.rotations[own].each_ref().map(|m| image(m, u));
         let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
@@ -156,7 +159,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
             pulled.each_ref().map(|u| dot(u, &arm))
         };
         let weight = a.weight.times(&b.weight);
-        let reaches = sum(&first.reaches(&of_first), &second.reaches(&of_second));
+        let reaches = sum(&first.reaches(SIDES[0], &of_first), &second.reaches(SIDES[1], &of_second));
         let apart = difference(&arms(second, b, a, &of_second), &arms(first, a, b, &of_first));
         let apart = self.without(margin, difference(&apart, &multiple(&weight, &reaches)));
         let [es, fs] = [(0, e), (1, f)].map(|(i, v): (usize, _)| self.rotations[i].each_ref().map(|m| image(m, v)));

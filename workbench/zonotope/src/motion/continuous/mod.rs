@@ -10,6 +10,7 @@
 //! | [`by_chord`] | bounds the gap along a direction by its chord and its second derivative |
 //! | [`by_conservative_advancement`] | goes on by the distance over a bound of the speed |
 //! | [`by_space_time_volumes`] | encloses the swept volumes, as the paper does |
+//! | [`of_meshes`] | descends pairs of nodes over two meshes, with the same proofs |
 //! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
 //! | [`rivals`] | what is done elsewhere and proves nothing |
 //!
@@ -28,6 +29,8 @@ mod doubles;
 mod gap;
 mod meeting;
 mod method;
+mod moving;
+pub mod of_meshes;
 mod ordinary_sizes;
 mod parts;
 pub mod rivals;

@@ -1,6 +1,6 @@
 //! A box around points that no small turn makes better.
 
-use super::covering::{Covering, unit};
+use super::covering::{Aim, Covering, unit};
 use crate::numeric::linear::{cross, dot, euclidean_norm};
 
 /// The axes of coordinates.
@@ -30,7 +30,7 @@ pub(super) fn along(points: &[[f64; 3]], axes: [[f64; 3]; 3]) -> Covering {
         (0..3).for_each(|k| center[k] += 0.5 * (low + high) * axis[k]);
     }
     let half_lengths = ends.iter().map(|(low, high)| 0.5 * (high - low)).collect();
-    Covering { center, directions: axes.to_vec(), half_lengths }
+    Covering { aim: Aim::EXPECTED_OVERLAPS, center, directions: axes.to_vec(), half_lengths }
 }
 
 /// A box of few expected overlaps.

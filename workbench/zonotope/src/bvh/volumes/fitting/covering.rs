@@ -16,32 +16,49 @@ const FLAT: f64 = 0.02;
 /// A program whose answer leaves points farther outside than this has failed.
 const LARGEST_MISS: f64 = 1e-6;
 
+/// What a covering is to have little of: a sum of V1 V2 and V3, in intrinsic volumes, the mean width, half the surface
+/// and the volume, each with a factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Aim {
+    pub(super) of_surface: f64,
+    pub(super) of_volume: f64,
+}
+
+impl Aim {
+    /// The expected number of overlaps with its like, up to a constant.
+    pub(super) const EXPECTED_OVERLAPS: Self = Self { of_surface: 1.0, of_volume: 2.0 };
+
+    /// The volume.
+    pub(super) const VOLUME: Self = Self { of_surface: 0.0, of_volume: 1.0 };
+}
+
 /// A zonotope around points, in doubles.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Covering {
+    pub(super) aim: Aim,
     pub(super) center: [f64; 3],
     pub(super) directions: Vec<[f64; 3]>,
     pub(super) half_lengths: Vec<f64>,
 }
 
 impl Covering {
-    /// The expected number of overlaps with its like, up to a constant.
-    pub(super) fn aim(&self) -> f64 {
+    /// How much of the aim it has.
+    pub(super) fn value(&self) -> f64 {
         let sums = Sums::of(&self.directions, &self.half_lengths);
-        sums.length * sums.area + 2.0 * sums.volume
+        self.aim.of_surface * sums.length * sums.area + self.aim.of_volume * sums.volume
     }
 
-    /// The derivatives of the aim by the half-lengths, none negative.
+    /// The derivatives of the value by the half-lengths, none negative.
     pub(super) fn weights(&self) -> Vec<f64> {
-        Sums::of(&self.directions, &self.half_lengths).derivatives
+        Sums::of(&self.directions, &self.half_lengths).derivatives(self.aim)
     }
 
     /// The covering along given directions, re-weighted; `None` where they nearly lie in a plane.
-    pub(super) fn along(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Option<Self> {
-        let mut best = Self::with_weights(points, directions, vec![1.0; directions.len()])?;
+    pub(super) fn along(aim: Aim, points: &[[f64; 3]], directions: &[[f64; 3]]) -> Option<Self> {
+        let mut best = Self::with_weights(aim, points, directions, vec![1.0; directions.len()])?;
         for _ in 0..REWEIGHTINGS {
-            let Some(next) = Self::with_weights(points, directions, best.weights()) else { break };
-            if next.aim() >= best.aim() {
+            let Some(next) = Self::with_weights(aim, points, directions, best.weights()) else { break };
+            if next.value() >= best.value() {
                 break;
             }
             best = next;
@@ -50,7 +67,12 @@ impl Covering {
     }
 
     /// The covering of least weight along given directions; `None` where they nearly lie in a plane.
-    pub(super) fn with_weights(points: &[[f64; 3]], directions: &[[f64; 3]], weights: Vec<f64>) -> Option<Self> {
+    pub(super) fn with_weights(
+        aim: Aim,
+        points: &[[f64; 3]],
+        directions: &[[f64; 3]],
+        weights: Vec<f64>,
+    ) -> Option<Self> {
         if !span_space(directions) {
             return None;
         }
@@ -85,7 +107,7 @@ impl Covering {
             return None;
         }
         half_lengths.iter_mut().for_each(|c| *c += 2.0 * missing);
-        Some(Self { center, directions: directions.to_vec(), half_lengths })
+        Some(Self { aim, center, directions: directions.to_vec(), half_lengths })
     }
 }
 
@@ -103,12 +125,13 @@ fn span_space(directions: &[[f64; 3]]) -> bool {
     volumes.fold(0.0, f64::max) > FLAT && directions.iter().enumerate().all(unique)
 }
 
-/// The intrinsic volumes of a zonotope: V1, V2, V3, and the derivatives of V1 V2 + 2 V3 by its half-lengths.
+/// The intrinsic volumes of a zonotope: V1, V2, V3, and the derivatives of the last two by its half-lengths.
 struct Sums {
     length: f64,
     area: f64,
     volume: f64,
-    derivatives: Vec<f64>,
+    by_area: Vec<f64>,
+    by_volume: Vec<f64>,
 }
 
 impl Sums {
@@ -134,9 +157,15 @@ impl Sums {
                 }
             }
         }
-        let derivative = |(by_area, by_volume): (&f64, &f64)| 2.0 * area + length * by_area + 2.0 * by_volume;
-        let derivatives = by_area.iter().zip(&by_volume).map(derivative).collect();
-        Self { length, area, volume, derivatives }
+        Self { length, area, volume, by_area, by_volume }
+    }
+
+    /// The derivatives of an aim.
+    fn derivatives(&self, aim: Aim) -> Vec<f64> {
+        let derivative = |(by_area, by_volume): (&f64, &f64)| {
+            aim.of_surface * (2.0 * self.area + self.length * by_area) + aim.of_volume * by_volume
+        };
+        self.by_area.iter().zip(&self.by_volume).map(derivative).collect()
     }
 }
 
@@ -155,10 +184,13 @@ mod tests {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let corners: Vec<[f64; 3]> =
             (0..8).map(|i| [0, 1, 2].map(|k| if i >> k & 1 == 0 { -1.0 } else { 1.0 })).collect();
-        let found = Covering::along(&corners, &axes).expect("they span space");
-        assert!((found.aim() - (6.0 * 12.0 + 16.0)).abs() < 1e-9);
+        let found = Covering::along(Aim::EXPECTED_OVERLAPS, &corners, &axes).expect("they span space");
+        assert!((found.value() - (6.0 * 12.0 + 16.0)).abs() < 1e-9);
         // by a half-length: 2 · 12 + 6 · 8 + 2 · 8
         assert!(found.weights().iter().all(|w| (w - 88.0).abs() < 1e-9));
-        assert_eq!(Covering::along(&corners, &[axes[0], axes[1], [0.8, 0.6, 0.0]]), None);
+        let flat = [axes[0], axes[1], [0.8, 0.6, 0.0]];
+        assert_eq!(Covering::along(Aim::EXPECTED_OVERLAPS, &corners, &flat), None);
+        let by_volume = Covering::along(Aim::VOLUME, &corners, &axes).expect("they span space");
+        assert!((by_volume.value() - 8.0).abs() < 1e-9 && by_volume.weights().iter().all(|w| (w - 8.0).abs() < 1e-9));
     }
 }

@@ -1,6 +1,6 @@
 //! All generators of a covering moved at once, by linear programs of small steps.
 //!
-//! The covering with the least expected overlaps among all directions is a nonlinear program: the facet through
+//! The covering with the least value of its aim among all directions is a nonlinear program: the facet through
 //! generators v_a and v_b has the normal N = v_a × v_b, and each point q has to fulfil
 //! F = Σ |v_i · N| + N · p − N · q ≥ 0. With r = Σ sgn(v_i · N) v_i + p − q its differential is
 //! dF = dv_a · (v_b × r) + dv_b · (r × v_a) + N · dp + Σ sgn(v_i · N) N · dv_i, the last sum over the other
@@ -8,7 +8,7 @@
 //! by at most a share of its length, then the half-lengths along the new directions. A step that gains nothing makes
 //! the share smaller.
 
-use super::covering::{Covering, unit};
+use super::covering::{Aim, Covering, unit};
 use super::normals::{Normal, normals_of_pairs};
 use super::program::Program;
 use crate::numeric::linear::{cross, dot, euclidean_norm};
@@ -30,12 +30,12 @@ const POINTS_OF_A_FACET: usize = 4;
 
 /// The covering after a number of steps, or after fewer where no small step of all generators makes it better.
 pub(super) fn descend(points: &[[f64; 3]], mut best: Covering, steps: usize) -> Covering {
-    let mut aim = best.aim();
+    let mut value = best.value();
     let mut share = FIRST_SHARE;
     for _ in 0..steps {
-        let next = step(points, &best, share).filter(|next| next.aim() < aim * (1.0 - LEAST_GAIN));
+        let next = step(points, &best, share).filter(|next| next.value() < value * (1.0 - LEAST_GAIN));
         if let Some(next) = next {
-            (aim, best) = (next.aim(), next);
+            (value, best) = (next.value(), next);
         } else {
             share *= 0.35;
             if share < LEAST_SHARE {
@@ -54,7 +54,7 @@ fn step(points: &[[f64; 3]], covering: &Covering, share: f64) -> Option<Covering
         covering.directions.iter().zip(lengths.clone()).map(|(d, c)| d.map(|x| x * c)).collect();
     // unknowns from 0 to 2: moves of the generators and of the centre, in units of the largest ones, plus 1; where the
     // aim falls with a move, its opposite, so that no cost is negative
-    let gradient = gradient(&generators);
+    let gradient = gradient(covering.aim, &generators);
     let reaches = lengths.flat_map(|c| [share * c; 3]).chain([share; 3]);
     let slopes = gradient.iter().flatten().copied().chain([0.0; 3]);
     let units: Vec<f64> = reaches.zip(slopes).map(|(reach, slope)| if slope < 0.0 { -reach } else { reach }).collect();
@@ -86,8 +86,8 @@ fn step(points: &[[f64; 3]], covering: &Covering, share: f64) -> Option<Covering
     let moved: Vec<[f64; 3]> = (0..count).map(|k| [0, 1, 2].map(|axis| moved(k, axis))).collect();
     let directions: Vec<[f64; 3]> = moved.iter().map(unit).collect::<Option<_>>()?;
     let half_lengths = moved.iter().map(euclidean_norm).collect();
-    let guess = Covering { center: covering.center, directions, half_lengths };
-    Covering::with_weights(points, &guess.directions, guess.weights())
+    let guess = Covering { directions, half_lengths, ..*covering };
+    Covering::with_weights(covering.aim, points, &guess.directions, guess.weights())
 }
 
 /// The differential of F for a point on one side of a facet, and the right side of its inequality.
@@ -143,8 +143,8 @@ fn farthest(points: &[[f64; 3]], direction: &[f64; 3], share: f64) -> impl Itera
     found.into_iter().filter(move |(height, _)| *height >= least).map(|(_, point)| point)
 }
 
-/// The derivatives of the expected overlaps by the coordinates of the generators.
-fn gradient(generators: &[[f64; 3]]) -> Vec<[f64; 3]> {
+/// The derivatives of an aim by the coordinates of the generators.
+fn gradient(aim: Aim, generators: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let (mut length, mut area) = (0.0, 0.0);
     let mut of_area = vec![[0.0; 3]; generators.len()];
     let mut of_volume = vec![[0.0; 3]; generators.len()];
@@ -168,7 +168,9 @@ fn gradient(generators: &[[f64; 3]]) -> Vec<[f64; 3]> {
     }
     let of_generator = |(k, v): (usize, &[f64; 3])| -> [f64; 3] {
         let along = 2.0 * area / euclidean_norm(v);
-        std::array::from_fn(|i| along * v[i] + length * of_area[k][i] + 2.0 * of_volume[k][i])
+        std::array::from_fn(|i| {
+            aim.of_surface * (along * v[i] + length * of_area[k][i]) + aim.of_volume * of_volume[k][i]
+        })
     };
     generators.iter().enumerate().map(of_generator).collect()
 }
@@ -181,7 +183,7 @@ mod tests {
     fn the_gradient_is_the_slope_of_the_aim() {
         let generators = [[1.0, 0.25, 0.0], [0.0, 2.0, 0.5], [0.5, 0.0, 3.0], [1.0, -1.0, 0.5]];
         let aim = |generators: &[[f64; 3]]| crate::bvh::volume::expected_overlaps_of_generators(generators);
-        for (k, slopes) in gradient(&generators).iter().enumerate() {
+        for (k, slopes) in gradient(Aim::EXPECTED_OVERLAPS, &generators).iter().enumerate() {
             for (axis, slope) in slopes.iter().enumerate() {
                 let moved = |by: f64| {
                     let mut moved = generators;

@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::covering::{Covering, unit};
+use super::covering::{Aim, Covering, unit};
 use super::descent::descend;
 use crate::numeric::linear::{cross, dot, euclidean_norm};
 use crate::seed::DEFAULT_SEED;
@@ -37,7 +37,7 @@ const UNUSED: f64 = 1e-6;
 pub(super) fn search(points: &[[f64; 3]], start: Covering, count: usize, effort: usize) -> Covering {
     let count = if points.len() < FEWEST_POINTS { 3 } else { count };
     let found = (count > 3).then(|| from_dictionary(points, &start.directions, count)).flatten();
-    let best = found.filter(|found| found.aim() < start.aim()).unwrap_or(start);
+    let best = found.filter(|found| found.value() < start.value()).unwrap_or(start);
     improve(points, descend(points, best, STEPS), count, effort)
 }
 
@@ -70,7 +70,7 @@ fn dictionary(points: &[[f64; 3]], axes: &[[f64; 3]]) -> Vec<[f64; 3]> {
 
 /// The covering along the dictionary's directions, of which the one that costs least is dropped until few are left.
 fn from_dictionary(points: &[[f64; 3]], axes: &[[f64; 3]], count: usize) -> Option<Covering> {
-    let mut found = Covering::along(points, &dictionary(points, axes))?;
+    let mut found = Covering::along(Aim::EXPECTED_OVERLAPS, points, &dictionary(points, axes))?;
     found = without_unused(points, &found, count).unwrap_or(found);
     while found.directions.len() > count {
         let weights = found.weights();
@@ -87,7 +87,7 @@ fn with_some(points: &[[f64; 3]], covering: &Covering, is_kept: impl Fn(usize) -
     let kept = || (0..covering.directions.len()).filter(|&k| is_kept(k));
     let directions: Vec<[f64; 3]> = kept().map(|k| covering.directions[k]).collect();
     let weights = covering.weights();
-    Covering::with_weights(points, &directions, kept().map(|k| weights[k]).collect())
+    Covering::with_weights(covering.aim, points, &directions, kept().map(|k| weights[k]).collect())
 }
 
 /// The covering along the directions that it uses, if they are still as many as wanted.
@@ -101,7 +101,7 @@ fn without_unused(points: &[[f64; 3]], covering: &Covering, count: usize) -> Opt
 /// Changes of one direction, or one more, each with a descent, as long as they make the covering better.
 fn improve(points: &[[f64; 3]], mut best: Covering, count: usize, effort: usize) -> Covering {
     let mut random = Pcg64Mcg::seed_from_u64(DEFAULT_SEED);
-    let mut aim = best.aim();
+    let mut value = best.value();
     for _ in 0..effort {
         let mut directions = best.directions.clone();
         let changed = random.random_range(0..directions.len());
@@ -128,10 +128,10 @@ fn improve(points: &[[f64; 3]], mut best: Covering, count: usize, effort: usize)
             directions[changed] = new;
             weights[changed] = mean;
         }
-        let found = Covering::with_weights(points, &directions, weights);
+        let found = Covering::with_weights(best.aim, points, &directions, weights);
         let found = found.map(|found| descend(points, found, STEPS_OF_A_CHANGE));
-        if let Some(found) = found.filter(|found| found.aim() < aim * (1.0 - LEAST_GAIN)) {
-            (aim, best) = (found.aim(), found);
+        if let Some(found) = found.filter(|found| found.value() < value * (1.0 - LEAST_GAIN)) {
+            (value, best) = (found.value(), found);
         }
     }
     best
@@ -175,7 +175,7 @@ mod tests {
             let quaternion = [0; 4].map(|_| random.random_range(-1.0..1.0));
             let turn = crate::Pose::from_quaternion(quaternion, [0.0; 3]).expect("not zero").matrix();
             let points = corners(generators, &turn);
-            search(&points, boxes::search(&points), generators.len(), effort).aim() / exact
+            search(&points, boxes::search(&points), generators.len(), effort).value() / exact
         };
         (0..5).map(ratio).fold(0.0, f64::max)
     }

@@ -1,8 +1,8 @@
 //! Directions and half-lengths of generators around points, guessed in doubles: nothing here is proved.
 //!
-//! The aim is the least expected number of overlaps of a node with its like ([`BoundingVolume::expected_overlaps`]). An
-//! enclosing program has a linear aim, so it is solved with the derivatives of the expected overlaps as weights, at the
-//! answer before.
+//! The aim is the least expected number of overlaps of a node with its like ([`BoundingVolume::expected_overlaps`]), or
+//! the least volume. An enclosing program has a linear aim, so it is solved with the derivatives of the aim as weights,
+//! at the answer before.
 //!
 //! | file | what it finds |
 //! |---|---|
@@ -22,7 +22,14 @@ mod directions;
 mod normals;
 mod program;
 
-use self::covering::Covering;
+use self::covering::{Aim, Covering, unit};
+use self::descent::descend;
+
+/// Steps of a descent to a local optimum.
+const STEPS_OF_AN_OPTIMUM: usize = 200;
+
+/// Half-lengths below this share of the longest are none: what rounding makes larger than 0.
+const UNUSED: f64 = 1e-7;
 
 /// A guess: unit vectors with half-lengths around a centre.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,6 +95,20 @@ pub(super) fn fit(points: &[[f64; 3]], count: usize, effort: usize) -> Fitted {
 pub(super) fn refit(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Fitted {
     let local = Local::new(points);
     let kept: Vec<[f64; 3]> = directions.iter().copied().filter(|d| *d != [0.0; 3]).collect();
-    let found = Covering::along(&local.points, &kept);
+    let found = Covering::along(Aim::EXPECTED_OVERLAPS, &local.points, &kept);
     local.fitted(found.unwrap_or_else(|| boxes::along(&local.points, boxes::AXES)))
+}
+
+/// A local optimum of the volume from given directions, without those of no length; `None` where they nearly lie in a
+/// plane.
+pub(super) fn fit_volume(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Option<Fitted> {
+    let local = Local::new(points);
+    let directions: Vec<[f64; 3]> = directions.iter().filter_map(unit).collect();
+    let start = Covering::along(Aim::VOLUME, &local.points, &directions)?;
+    let mut found = local.fitted(descend(&local.points, start, STEPS_OF_AN_OPTIMUM));
+    let longest = found.half_lengths.iter().fold(0.0, |m: f64, c| m.max(*c));
+    let mut lengths = found.half_lengths.iter();
+    found.directions.retain(|_| lengths.next().is_some_and(|length| *length > UNUSED * longest));
+    found.half_lengths.retain(|length| *length > UNUSED * longest);
+    Some(found)
 }

@@ -7,12 +7,10 @@
 use super::super::SeparatingDirection;
 use super::super::doubles::doubt_along;
 use super::super::gap::{Matrix, Stretch};
-use super::super::parts::body::Body;
+use super::super::parts::body::{Body, Side};
 use super::super::simplex_search::{Lowest, Search, search};
 use crate::motion::bernstein::{self, INVERSE_BINOMIALS, convolution, elevated};
 use crate::motion::quaternion::{image, transposed_image};
-use crate::numeric::lanes::extreme_sums;
-use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
 
@@ -171,7 +169,8 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
     }
 
     fn farthest<const K: usize>(&self, place: usize, directions: &[[f64; 3]; K]) -> [[f64; 3]; K] {
-        extreme_sums(Rows::new(self.body(place).generators()), directions)
+        let side = if place == 0 { Side::Away } else { Side::Toward };
+        self.body(place).farthest(side, directions)
     }
 }
 

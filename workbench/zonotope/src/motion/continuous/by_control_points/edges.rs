@@ -18,7 +18,7 @@ pub(super) fn normals(stretch: &Stretch<'_, f64>, u: [f64; 3]) -> impl Iterator<
         let middle = sum(&arc.turns[0], &arc.turns[1]);
         polar_rotation(&middle, &middle)
     });
-    let edges = |i: usize| orthogonal_generators(stretch.bodies[i].generators(), &transposed_image(&rotations[i], &u));
+    let edges = |i: usize| orthogonal_edges(stretch.bodies[i].edges(), &transposed_image(&rotations[i], &u));
     let (first, second) = (edges(0), edges(1));
     let pairs = first.into_iter().flat_map(move |e| second.clone().into_iter().map(move |f| [e, f]));
     pairs.filter_map(move |[e, f]| {
@@ -29,10 +29,10 @@ pub(super) fn normals(stretch: &Stretch<'_, f64>, u: [f64; 3]) -> impl Iterator<
     })
 }
 
-/// The generators most nearly orthogonal to a direction.
-fn orthogonal_generators(generators: &[[f64; 3]], direction: &[f64; 3]) -> Vec<[f64; 3]> {
-    let cosine = |g: &[f64; 3]| (dot(g, direction).abs() / dot(g, g).sqrt(), *g);
-    let mut nearest: Vec<_> = generators.iter().map(cosine).filter(|(cosine, _)| !cosine.is_nan()).collect();
+/// The edges most nearly orthogonal to a direction.
+fn orthogonal_edges(edges: Vec<[f64; 3]>, direction: &[f64; 3]) -> Vec<[f64; 3]> {
+    let cosine = |g: [f64; 3]| (dot(&g, direction).abs() / dot(&g, &g).sqrt(), g);
+    let mut nearest: Vec<_> = edges.into_iter().map(cosine).filter(|(cosine, _)| !cosine.is_nan()).collect();
     if EDGE_LIMIT < nearest.len() {
         nearest.select_nth_unstable_by(EDGE_LIMIT, |a, b| a.0.total_cmp(&b.0));
         nearest.truncate(EDGE_LIMIT);

@@ -55,10 +55,10 @@
 
 mod approach;
 mod control_zonotopes;
+pub(super) mod directions;
 mod edges;
 
-use self::control_zonotopes::{ControlZonotopes, Found};
-use super::gap::Stretch;
+use self::directions::fixed_in_space;
 use super::scene::{Apart, Scene};
 use super::simplex_search::Search as Looked;
 use super::{FirstContact, FreeStretch, SeparatingDirection, ordinary_sizes};
@@ -66,7 +66,6 @@ use crate::collision::Witness;
 use crate::motion::Motion;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
-use smallvec::SmallVec;
 
 /// A stretch that is this short and not decided ends the search.
 pub const SHORTEST_STRETCH: f64 = 1.0 / (1u64 << 36) as f64;
@@ -135,7 +134,7 @@ struct Search<'a, 't> {
 impl Search<'_, '_> {
     fn first_contact(mut self) -> FirstContact {
         let open = |times| Open { times, hints: [None; 2], meets: false, cuts: 0 };
-        self.open = self.scene.parts().into_iter().rev().map(open).collect();
+        self.open = self.scene.moving.parts().into_iter().rev().map(open).collect();
         for _ in 0..STRETCH_LIMIT {
             let Some(stretch) = self.open.pop() else { return FirstContact::Separate { free: self.free } };
             self.tally.add(Operation::Stretch, 1);
@@ -156,8 +155,10 @@ impl Search<'_, '_> {
     /// Proves a stretch, or cuts it in halves.
     fn decide(&mut self, Open { times, mut hints, .. }: Open) -> Decided {
         let [from, until] = times;
-        let stretch = self.scene.is_whole(times).then(|| self.scene.rounded_stretch(times));
-        if let Some(direction) = stretch.as_ref().and_then(|stretch| self.separates(stretch, times, &hints)) {
+        let stretch = self.scene.moving.is_whole(times).then(|| self.scene.moving.rounded_stretch(times));
+        if let Some(direction) = stretch.as_ref().and_then(|stretch| {
+            directions::separating(&self.scene.moving, stretch, times, &known(&self.free, &hints), self.tally)
+        }) {
             self.free.push(FreeStretch { from, until, direction });
             return Decided::Not;
         }
@@ -182,7 +183,9 @@ impl Search<'_, '_> {
                 self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets: true, cuts: 0 });
             }
             Look::Apart(found) => {
-                if let Some(direction) = stretch.and_then(|stretch| self.edges(&stretch, times, found)) {
+                if let Some(direction) = stretch
+                    .and_then(|stretch| directions::of_edges(&self.scene.moving, &stretch, times, found, self.tally))
+                {
                     self.free.push(FreeStretch { from, until, direction });
                     return Decided::Not;
                 }
@@ -226,7 +229,7 @@ impl Search<'_, '_> {
     /// The position of the bodies at a time: by a search in doubles, exactly where that leaves a doubt.
     fn look(&mut self, time: f64, hints: &[Apart; 2]) -> Look {
         let first = hints.iter().rev().flatten().find_map(fixed_in_space);
-        match self.scene.looked_at(time, first, self.tally) {
+        match self.scene.moving.looked_at(time, first, self.tally) {
             Looked::Found(u) => Look::Apart(Some(SeparatingDirection::Space(u))),
             Looked::Inside => Look::Meets,
             Looked::Undecided => match self.scene.at(time, self.tally) {
@@ -238,69 +241,17 @@ impl Search<'_, '_> {
 
     /// When the bodies may meet within a stretch, by the gap along a direction that separates them at its begin.
     fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<f64> {
-        if !self.scene.is_whole(times) {
+        if !self.scene.moving.is_whole(times) {
             return None;
         }
-        let stretch = self.scene.rounded_stretch(times);
+        let stretch = self.scene.moving.rounded_stretch(times);
         self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(hint));
         approach::next_time(&stretch.gap_along(hint), times, self.resolution)
     }
 
-    /// A direction that proves a stretch, the first that does.
-    fn separates(
-        &mut self,
-        stretch: &Stretch<'_, f64>,
-        times: [f64; 2],
-        hints: &[Apart; 2],
-    ) -> Option<SeparatingDirection> {
-        let before = self.free.last().map(|stretch| stretch.direction);
-        let known = [hints[1], hints[0], before.filter(|before| Some(*before) != hints[0])];
-        let mut turning = known.iter().flatten().filter(|direction| fixed_in_space(direction).is_none());
-        if let Some(direction) = turning.find(|direction| self.proves(stretch, times, direction)) {
-            return Some(*direction);
-        }
-        let mut first: SmallVec<[[f64; 3]; 3]> = known.iter().flatten().filter_map(fixed_in_space).collect();
-        if first.is_empty() {
-            first.push(middle_path(stretch));
-        }
-        let found = ControlZonotopes::in_space(stretch).separating_direction(&first, self.tally);
-        self.confirmed(found, times).or_else(|| {
-            [0, 1].into_iter().find_map(|own| {
-                let arc = &stretch.arcs[own];
-                // of a body that only translates, the frame is that of space
-                if arc.is_translation {
-                    return None;
-                }
-                let sign = [1.0, -1.0][own];
-                let first = arc.turned_back(&first[0]).map(|c| sign * c);
-                let found = ControlZonotopes::in_frame(stretch, own).separating_direction(&[first], self.tally);
-                self.confirmed(found, times)
-            })
-        })
-    }
-
-    /// A direction that was found, if it proves the stretch.
-    fn confirmed(&mut self, found: Option<Found>, times: [f64; 2]) -> Option<SeparatingDirection> {
-        let Found { direction, is_proved } = found?;
-        (is_proved || self.scene.is_proved_with_bounds(times, &direction, self.tally)).then_some(direction)
-    }
-
-    /// The normal of two edges that proves a stretch, by the direction that separates the bodies at its middle.
-    fn edges(&mut self, stretch: &Stretch<'_, f64>, times: [f64; 2], found: Apart) -> Option<SeparatingDirection> {
-        let u = fixed_in_space(&found?)?;
-        if stretch.arcs.iter().all(|arc| arc.is_translation) {
-            return None;
-        }
-        edges::normals(stretch, u).find(|direction| self.proves(stretch, times, direction))
-    }
-
-    fn proves(&mut self, stretch: &Stretch<'_, f64>, times: [f64; 2], direction: &SeparatingDirection) -> bool {
-        self.scene.is_proved(stretch, times, direction, self.tally)
-    }
-
     /// Whether the bodies, as they are rounded at a time, are so near that finer stretches would tell little.
     fn is_grazing(&mut self, time: f64) -> bool {
-        let size: f64 = self.scene.bodies.iter().map(|body| body.magnitude()).sum();
+        let size: f64 = self.scene.moving.bodies.iter().map(|body| body.magnitude()).sum();
         let proximity = self.scene.proximity_at(time, self.tally);
         proximity.is_some_and(|proximity| proximity.distance() <= GRAZING_DISTANCE * size)
     }
@@ -330,16 +281,8 @@ enum Look {
     Apart(Apart),
 }
 
-/// The direction, if it is fixed in space.
-fn fixed_in_space(direction: &SeparatingDirection) -> Option<[f64; 3]> {
-    match direction {
-        SeparatingDirection::Space(u) => Some(*u),
-        _ => None,
-    }
-}
-
-/// The path between the centres of the bodies at the middle of a stretch.
-fn middle_path(stretch: &Stretch<'_, f64>) -> [f64; 3] {
-    let [from, to] = [0, 1].map(|i| stretch.arcs[i].middle_of(&stretch.bodies[i].center()));
-    [0, 1, 2].map(|k| to[k] - from[k])
+/// The directions that are known: those at the ends of a stretch, then that of the stretch before it.
+fn known(free: &[FreeStretch], hints: &[Apart; 2]) -> [Apart; 3] {
+    let before = free.last().map(|stretch| stretch.direction);
+    [hints[1], hints[0], before.filter(|before| Some(*before) != hints[0])]
 }

@@ -1,7 +1,6 @@
-//! Poses of a mesh at given distances from itself.
+//! Poses of a copy of a mesh at given distances from the mesh.
 
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use families::source::RandomSource;
 use zonotope::Pose;
 use zonotope::bvh::{Bvh, Mesh, OrientedBox};
 
@@ -18,6 +17,7 @@ const SHARE: f64 = 0.005;
 const LEAST_STEP: f64 = 1e-3;
 
 /// The poses of the second copy along one direction.
+#[derive(Clone, Debug)]
 pub struct Placed {
     /// At each of the distances.
     pub apart: [Pose; DISTANCES.len()],
@@ -25,8 +25,9 @@ pub struct Placed {
     pub overlapping: Pose,
 }
 
-/// Poses by random rotations and directions.
-pub fn poses(mesh: &Mesh, count: usize) -> Vec<Placed> {
+/// Poses by random rotations and directions: a copy comes nearer along a direction, never by more than its distance,
+/// until it is at the wanted one.
+pub fn poses(mesh: &Mesh, count: usize, seed: u64) -> Vec<Placed> {
     let hierarchy = Bvh::<OrientedBox>::build(mesh);
     let (low, high) = mesh.vertices().iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), v| {
         (std::array::from_fn(|k| v[k].min(low[k])), std::array::from_fn(|k| v[k].max(high[k])))
@@ -34,11 +35,10 @@ pub fn poses(mesh: &Mesh, count: usize) -> Vec<Placed> {
     let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
     let size = length(std::array::from_fn(|k| high[k] - low[k]));
     let center: [f64; 3] = std::array::from_fn(|k| 0.5 * (low[k] + high[k]));
-    let mut random = Pcg64Mcg::seed_from_u64(1);
-    let mut signed = || random.random_range(-1.0..1.0f64);
+    let mut random = RandomSource::new(seed);
     let mut placed = Vec::new();
     while placed.len() < count {
-        let (quaternion, direction) = ([0; 4].map(|_| signed()), [0; 3].map(|_| signed()));
+        let (quaternion, direction) = ([0; 4].map(|_| random.signed_unit()), [0; 3].map(|_| random.signed_unit()));
         let [q, d] = [quaternion.iter().map(|c| c * c).sum::<f64>(), length(direction).powi(2)];
         if !(0.1..1.0).contains(&q) || !(0.1..1.0).contains(&d) {
             continue;

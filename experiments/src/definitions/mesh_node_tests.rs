@@ -1,0 +1,152 @@
+//! Tests of nodes by two hierarchies over copies of a mesh, by bounding volume and distance; and their times.
+
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict};
+use crate::hierarchies::{Asked, MESHES, Placed, mesh, poses};
+use crate::measured::{Measured, Series};
+use crate::seed::Digest;
+use zonotope::bvh::{
+    Aabb, BoundingVolume, Bvh, Dop18, Dop26, Mesh, Method, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5,
+    Zonotope6,
+};
+use zonotope::tally::OperationCounts;
+
+/// Nodes of fewer triangles than this do not count for the fit: the least zonotope of a triangle is a box.
+const FEWEST_TRIANGLES: usize = 8;
+
+/// The meshes whose hierarchies are timed.
+const TIMED: [&str; 3] = ["teapot", "bumps", "needles"];
+
+/// The volume that the others are compared with.
+const BOXES: &str = "obb";
+
+const VARIANTS: &[Variant] = &[
+    Variant::at_all_sizes(BOXES, "Boxes that a search turns"),
+    Variant::at_all_sizes("aabb", "Boxes along the axes"),
+    Variant::at_all_sizes("sphere", "Spheres"),
+    Variant::at_all_sizes("dop_18", "Polytopes of 18 normals"),
+    Variant::at_all_sizes("dop_26", "Polytopes of 26 normals"),
+    Variant::at_all_sizes("zonotope_3", "Zonotopes, K = 3"),
+    Variant::at_all_sizes("zonotope_4", "Zonotopes, K = 4"),
+    Variant::at_all_sizes("zonotope_5", "Zonotopes, K = 5"),
+    Variant::at_all_sizes("zonotope_6", "Zonotopes, K = 6"),
+];
+
+/// The numbers of tests.
+pub const COUNTS: Experiment = Experiment {
+    id: "mesh-node-tests",
+    title: "Meshes: tests of nodes by bounding volume and distance",
+    question: "How many pairs of nodes do two hierarchies over copies of a mesh test, by bounding volume? n random poses \
+               of the second copy; `at_30` to `at_0.1` are the mean numbers of pairs of nodes where the copies are so \
+               many per cent of the diagonal of the mesh's box apart, `contact` until the first pair of triangles of \
+               copies that overlap by one per cent, `all_pairs` until all of them. `fit` is the geometric mean over \
+               nodes of eight triangles and more of the expected overlaps over those of a searched box. Tree, leaves \
+               and tests of triangles are the same for all volumes, and each answer is compared with the pose.",
+    claims: &["question-hierarchies"],
+    families: &MESHES,
+    sizes: PerProfile { quick: &[8], full: &[200] },
+    variants: VARIANTS,
+    measure,
+    ..Experiment::COUNTED
+};
+
+/// The times of the same.
+pub const TIMES: Experiment = Experiment {
+    id: "mesh-times",
+    title: "Meshes: times by bounding volume and distance",
+    question: "How long do two hierarchies over copies of a mesh take, by bounding volume? The same questions as those \
+               of the numbers of tests, on some of the meshes; each time is that of all n poses, and `build` that of \
+               one hierarchy. The turning of a question is part of its time.",
+    claims: &["question-hierarchies"],
+    families: &TIMED,
+    timing: Some(Timing {
+        sizes: PerProfile { quick: &[8], full: &[200] },
+        repetitions: PerProfile { quick: 3, full: 5 },
+        prepare,
+    }),
+    ..COUNTS
+};
+
+/// The numbers of a quantity of a volume over those of searched boxes, mesh by mesh.
+pub fn over_boxes(
+    found: &Measured<'_>,
+    experiment: &str,
+    volume: &str,
+    quantity: Quantity,
+) -> Vec<(&'static str, f64)> {
+    let of = |input, method| Some(found.at_largest(Series { experiment, input, method }, quantity)?.1);
+    MESHES.into_iter().filter_map(|mesh| Some((mesh, of(mesh, volume)? / of(mesh, BOXES)?))).collect()
+}
+
+/// What is measured of the hierarchies of one volume.
+struct Measures {
+    counted: fn(&Mesh, &[Placed]) -> Result<Measurement, String>,
+    timed: fn(Mesh, Vec<Placed>) -> TimedWork,
+}
+
+impl Measures {
+    const fn of<V: BoundingVolume>() -> Self {
+        Self { counted: counted::<V>, timed: timed::<V> }
+    }
+}
+
+fn of_volume(id: &str) -> Result<Measures, String> {
+    Ok(match Method::from_id(id) {
+        Some(Method::Aabb) => Measures::of::<Aabb>(),
+        Some(Method::Sphere) => Measures::of::<Sphere>(),
+        Some(Method::OrientedBox) => Measures::of::<OrientedBox>(),
+        Some(Method::Dop18) => Measures::of::<Dop18>(),
+        Some(Method::Dop26) => Measures::of::<Dop26>(),
+        Some(Method::Zonotope3) => Measures::of::<Zonotope3>(),
+        Some(Method::Zonotope4) => Measures::of::<Zonotope4>(),
+        Some(Method::Zonotope5) => Measures::of::<Zonotope5>(),
+        Some(Method::Zonotope6) => Measures::of::<Zonotope6>(),
+        _ => return Err(format!("no volume is called {id}")),
+    })
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let mesh = mesh(case.family)?;
+    (of_volume(case.variant)?.counted)(&mesh, &poses(&mesh, case.n, case.instance_seed))
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let mesh = mesh(case.family)?;
+    let placed = poses(&mesh, case.n, case.instance_seed);
+    Ok((of_volume(case.variant)?.timed)(mesh, placed))
+}
+
+fn counted<V: BoundingVolume>(mesh: &Mesh, placed: &[Placed]) -> Result<Measurement, String> {
+    let hierarchy = Bvh::<V>::build(mesh);
+    let mut digest = Digest::default();
+    let mut numbers = vec![("fit", fit(mesh, &hierarchy))];
+    for asked in Asked::all() {
+        let (tests, pairs) = asked.tests(&hierarchy, placed)?;
+        digest = digest.word(pairs as u64);
+        numbers.push((asked.name(), tests.nodes));
+    }
+    let verdict = Verdict::Correct("distance of the poses".to_owned());
+    let measurement = Measurement::new(&OperationCounts::default(), digest.finish(), verdict);
+    Ok(numbers.into_iter().fold(measurement, |measurement, (name, number)| measurement.with_value(name, number)))
+}
+
+fn timed<V: BoundingVolume>(mesh: Mesh, placed: Vec<Placed>) -> TimedWork {
+    Box::new(move |stopwatch| {
+        let hierarchy = stopwatch.lap("build", || Bvh::<V>::build(&mesh));
+        let mut digest = Digest::default();
+        for asked in Asked::all() {
+            let (_, pairs) = stopwatch.lap(asked.name(), || asked.tests(&hierarchy, &placed))?;
+            digest = digest.word(pairs as u64);
+        }
+        Ok(digest.finish())
+    })
+}
+
+/// The geometric mean over the larger nodes of the expected overlaps over those of searched boxes.
+fn fit<V: BoundingVolume>(mesh: &Mesh, hierarchy: &Bvh<V>) -> f64 {
+    let boxes = Bvh::<OrientedBox>::build(mesh);
+    let nodes = hierarchy.topology().nodes().iter().zip(hierarchy.volumes().iter().zip(boxes.volumes()));
+    let larger = nodes.filter(|(node, _)| node.range().len() >= FEWEST_TRIANGLES);
+    let ratios = larger.map(|(_, (volume, of_box))| volume.expected_overlaps() / of_box.expected_overlaps());
+    let logarithms: Vec<f64> = ratios.map(libm::log).filter(|ratio| ratio.is_finite()).collect();
+    libm::exp(logarithms.iter().sum::<f64>() / logarithms.len() as f64)
+}

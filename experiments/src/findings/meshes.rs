@@ -1,0 +1,99 @@
+//! Sentences about hierarchies over meshes, and about zonotopes of little volume.
+
+use super::finding::Findings;
+use super::words::{between, input, number, percent, span, title};
+use crate::definition::Quantity;
+use crate::definitions::mesh_node_tests::{COUNTS, TIMES, over_boxes};
+use crate::measured::{Measured, range};
+
+pub(super) static FINDINGS: &[Findings] = &[
+    Findings {
+        experiment: "mesh-node-tests",
+        counted: &[
+            |found| tests(found, "zonotope_3", "at_1"),
+            |found| tests(found, "zonotope_4", "at_1"),
+            |found| tests(found, "zonotope_4", "at_0.1"),
+            |found| tests(found, "zonotope_6", "at_10"),
+            |found| tests(found, "zonotope_6", "at_1"),
+            |found| tests(found, "zonotope_6", "at_0.1"),
+            |found| tests(found, "zonotope_6", "all_pairs"),
+            |found| tests(found, "dop_26", "at_1"),
+            |found| tests(found, "aabb", "at_1"),
+        ],
+        timed: &[],
+    },
+    Findings {
+        experiment: "mesh-times",
+        counted: &[],
+        timed: &[
+            |found| times(found, "zonotope_6", "at_1"),
+            |found| times(found, "zonotope_6", "contact"),
+            |found| times(found, "zonotope_4", "at_1"),
+            |found| times(found, "dop_26", "at_1"),
+            |found| times(found, "aabb", "at_1"),
+            |found| times(found, "aabb", "contact"),
+            |found| times(found, "zonotope_6", "build"),
+            |found| times(found, "aabb", "build"),
+        ],
+    },
+    Findings {
+        experiment: "least-volume",
+        counted: &[
+            |found| volume(found, "at_most_3"),
+            |found| volume(found, "at_most_6"),
+            |found| volume(found, "at_most_10"),
+            |found| {
+                let shares = found.over_inputs("least-volume", "at_most_6", Quantity::Value("near"));
+                let [least, most] = range(shares.iter().map(|end| end.number))?.map(percent);
+                Some(format!(
+                    "Within 1 % of the smallest that is found with K = 6 end {least} to {most} of the starts."
+                ))
+            },
+            |found| {
+                let worst = Quantity::Value("worst");
+                span(found, "The largest local optimum over the smallest, K = 6,", SIX, worst, |_, value| value)
+            },
+            |found| {
+                let length = Quantity::Value("by_length");
+                span(found, "The volume of short zonotopes over the smallest, K = 6,", SIX, length, |_, value| value)
+            },
+        ],
+        timed: &[],
+    },
+];
+
+const SIX: [&str; 2] = ["least-volume", "at_most_6"];
+
+/// Sentence on the tests of nodes of a volume, mesh by mesh.
+fn tests(found: &Measured<'_>, volume: &str, at: &'static str) -> Option<String> {
+    let what = format!("Tests of nodes ({at}) of “{}” over those of searched boxes", title(COUNTS.id, volume));
+    ratios(what, &over_boxes(found, COUNTS.id, volume, Quantity::Value(at)))
+}
+
+/// Sentence on the times of a volume, mesh by mesh.
+fn times(found: &Measured<'_>, volume: &str, lap: &'static str) -> Option<String> {
+    let what = format!("Time ({lap}) of “{}” over that of searched boxes", title(TIMES.id, volume));
+    ratios(what, &over_boxes(found, TIMES.id, volume, Quantity::Time(lap)))
+}
+
+fn ratios(what: String, of_meshes: &[(&str, f64)]) -> Option<String> {
+    let each: Vec<String> =
+        of_meshes.iter().map(|(mesh, ratio)| format!("{} on {}", number(*ratio), input(mesh))).collect();
+    if each.is_empty() { None } else { Some(format!("{what}: {}.", each.join("; "))) }
+}
+
+/// Sentence on the smallest volumes with a number of generators.
+fn volume(found: &Measured<'_>, method: &str) -> Option<String> {
+    let of = |name| {
+        let ends = found.over_inputs("least-volume", method, Quantity::Value(name));
+        range(ends.iter().map(|end| end.number)).map(between)
+    };
+    let inputs = found.inputs("least-volume", method).len();
+    Some(format!(
+        "The smallest zonotope that is found with {} or fewer around {inputs} inputs has {} times the volume of the \
+         hull and {} generators.",
+        title("least-volume", method),
+        of("volume_ratio")?,
+        of("generators")?
+    ))
+}

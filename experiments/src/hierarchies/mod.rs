@@ -1,0 +1,43 @@
+//! Two copies of a mesh at a distance, asked about by hierarchies of every bounding volume.
+//!
+//! The tree, the leaf size, the traversal and the tests of triangles are the same for all volumes.
+
+mod approach;
+mod asked;
+
+pub use approach::{DISTANCES, Placed, poses};
+pub use asked::{Asked, Tests};
+
+use crate::data;
+use families::meshes;
+use zonotope::bvh::Mesh;
+
+/// The meshes: those of the data, and made ones.
+pub const MESHES: [&str; 11] = [
+    "teapot",
+    "assimp_spider",
+    "assimp_wuson",
+    "cgal_cow",
+    "cgal_fandisk",
+    "torus",
+    "knot",
+    "bumps",
+    "terrain",
+    "spring",
+    "needles",
+];
+
+/// The mesh called `name`.
+///
+/// # Errors
+/// If there is none.
+pub fn mesh(name: &str) -> Result<Mesh, String> {
+    let (vertices, triangles) = if let Some(made) = meshes::find(name) {
+        let surface = (made.make)();
+        (surface.vertices, surface.triangles)
+    } else {
+        let found = data::mesh(name).ok_or_else(|| format!("no mesh is called {name}"))?;
+        (found.vertices.clone(), found.triangles.iter().map(|t| t.map(|corner| corner as u32)).collect())
+    };
+    Mesh::new(vertices, triangles).map_err(|error| error.to_string())
+}

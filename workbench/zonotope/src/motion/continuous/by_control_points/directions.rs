@@ -1,0 +1,84 @@
+//! A direction that proves a stretch of time: known ones, then those that searches over control zonotopes find, then
+//! normals of edges.
+
+use super::super::SeparatingDirection;
+use super::super::gap::Stretch;
+use super::super::moving::Moving;
+use super::super::scene::Apart;
+use super::control_zonotopes::{ControlZonotopes, Found};
+use super::edges;
+use crate::tally::Tally;
+use smallvec::SmallVec;
+
+/// A direction that proves a stretch, the first that does, from known ones.
+pub(in crate::motion::continuous) fn separating(
+    moving: &Moving<'_>,
+    stretch: &Stretch<'_, f64>,
+    times: [f64; 2],
+    known: &[Apart; 3],
+    tally: &mut dyn Tally,
+) -> Option<SeparatingDirection> {
+    let mut turning = known.iter().flatten().filter(|direction| fixed_in_space(direction).is_none());
+    if let Some(direction) = turning.find(|direction| moving.is_proved(stretch, times, direction, tally)) {
+        return Some(*direction);
+    }
+    let mut first: SmallVec<[[f64; 3]; 3]> = known.iter().flatten().filter_map(fixed_in_space).collect();
+    if first.is_empty() {
+        first.push(middle_path(stretch));
+    }
+    let found = ControlZonotopes::in_space(stretch).separating_direction(&first, tally);
+    if let Some(direction) = confirmed(moving, found, times, tally) {
+        return Some(direction);
+    }
+    [0, 1].into_iter().find_map(|own| {
+        let arc = &stretch.arcs[own];
+        // of a body that only translates, the frame is that of space
+        if arc.is_translation {
+            return None;
+        }
+        let sign = [1.0, -1.0][own];
+        let first = arc.turned_back(&first[0]).map(|c| sign * c);
+        let found = ControlZonotopes::in_frame(stretch, own).separating_direction(&[first], tally);
+        confirmed(moving, found, times, tally)
+    })
+}
+
+/// A direction that was found, if it proves the stretch.
+fn confirmed(
+    moving: &Moving<'_>,
+    found: Option<Found>,
+    times: [f64; 2],
+    tally: &mut dyn Tally,
+) -> Option<SeparatingDirection> {
+    let Found { direction, is_proved } = found?;
+    (is_proved || moving.is_proved_with_bounds(times, &direction, tally)).then_some(direction)
+}
+
+/// The normal of two edges that proves a stretch, by the direction that separates the bodies at its middle.
+pub(in crate::motion::continuous) fn of_edges(
+    moving: &Moving<'_>,
+    stretch: &Stretch<'_, f64>,
+    times: [f64; 2],
+    found: Apart,
+    tally: &mut dyn Tally,
+) -> Option<SeparatingDirection> {
+    let u = fixed_in_space(&found?)?;
+    if stretch.arcs.iter().all(|arc| arc.is_translation) {
+        return None;
+    }
+    edges::normals(stretch, u).find(|direction| moving.is_proved(stretch, times, direction, tally))
+}
+
+/// The direction, if it is fixed in space.
+pub(in crate::motion::continuous) fn fixed_in_space(direction: &SeparatingDirection) -> Option<[f64; 3]> {
+    match direction {
+        SeparatingDirection::Space(u) => Some(*u),
+        _ => None,
+    }
+}
+
+/// The path between the centres of the bodies at the middle of a stretch.
+fn middle_path(stretch: &Stretch<'_, f64>) -> [f64; 3] {
+    let [from, to] = [0, 1].map(|i| stretch.arcs[i].middle_of(&stretch.bodies[i].center()));
+    [0, 1, 2].map(|k| to[k] - from[k])
+}

@@ -1,0 +1,139 @@
+//! Two bodies and their motions: the stretches of a step of time, and the directions that prove them.
+
+use super::SeparatingDirection;
+use super::gap::Stretch;
+use super::parts::body::{Body, Side};
+use super::parts::margin::{self, Margin};
+use super::simplex_search::{Lowest, Search, search};
+use crate::motion::Motion;
+use crate::motion::constant_rate::Clock;
+use crate::motion::quaternion::{image, transposed_image};
+use crate::numeric::bounded::Bounded;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
+use crate::tally::{Operation, Tally};
+use crate::zonotope::pose::Pose;
+
+/// The share of the distance that the gap along a direction has at least, if it is to tell when the bodies meet.
+const NEAR_THE_SHORTEST: f64 = 0.9;
+
+/// Two bodies and their motions.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moving<'a> {
+    pub(super) bodies: [Body<'a>; 2],
+    pub(super) motions: [&'a Motion; 2],
+    /// Bounds of how far from the axes the bodies reach, for rotations at constant rate.
+    reaches: [f64; 2],
+    /// Whether a free stretch is about the set of the placements alone: one body turns and the other rests.
+    clock: Clock,
+}
+
+impl<'a> Moving<'a> {
+    /// The bodies, and bounds of how far from the axes of rotations at constant rate they reach.
+    pub(super) fn new(bodies: [Body<'a>; 2], motions: [&'a Motion; 2], reaches: [f64; 2]) -> Self {
+        let [first, second] = motions;
+        let is_one_turn = (first.only_turns() && second.is_rest()) || (first.is_rest() && second.only_turns());
+        let clock = if is_one_turn { Clock::Free } else { Clock::Kept };
+        Self { bodies, motions, reaches, clock }
+    }
+
+    /// The times between which no part of a motion ends.
+    pub(super) fn parts(&self) -> Vec<[f64; 2]> {
+        let mut times: Vec<f64> = self.motions.iter().flat_map(|motion| motion.breaks()).chain([0.0, 1.0]).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    }
+
+    /// Whether the motion of each body between two times is one stretch.
+    pub(super) fn is_whole(&self, times: [f64; 2]) -> bool {
+        self.motions.iter().all(|motion| motion.is_one_stretch(times))
+    }
+
+    /// The stretch between two times, in doubles without bounds.
+    pub(super) fn rounded_stretch(&self, times: [f64; 2]) -> Stretch<'a, f64> {
+        Stretch::new(self.bodies, self.motions.map(|motion| motion.rounded_arc(times, self.clock)), self.margins(times))
+    }
+
+    /// The same with bounds.
+    pub(super) fn stretch(&self, times: [f64; 2]) -> Stretch<'a, Bounded> {
+        Stretch::new(self.bodies, self.motions.map(|motion| motion.arc(times, self.clock)), self.margins(times))
+    }
+
+    /// Whether a direction proves a stretch: in doubles with one bound, where these leave a doubt with a bound for each
+    /// operation, and exactly where no coefficient is negative for certain.
+    pub(super) fn is_proved(
+        &self,
+        stretch: &Stretch<'_, f64>,
+        times: [f64; 2],
+        direction: &SeparatingDirection,
+        tally: &mut dyn Tally,
+    ) -> bool {
+        tally.add(Operation::SupportEvaluation, stretch.support_evaluations(direction));
+        let gap = stretch.gap_along(direction);
+        stretch.is_positive(&gap, direction).unwrap_or_else(|| self.is_proved_with_bounds(times, direction, tally))
+    }
+
+    /// The same where one bound for all leaves a doubt.
+    pub(super) fn is_proved_with_bounds(
+        &self,
+        times: [f64; 2],
+        direction: &SeparatingDirection,
+        tally: &mut dyn Tally,
+    ) -> bool {
+        let bound = self.stretch(times).gap_along(direction);
+        if bound.iter().all(|c| c.is_positive()) {
+            return true;
+        }
+        // a bound that is infinite or NaN says nothing, and neither do numbers beyond the doubles
+        let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
+        let margins = self.margins(times);
+        let are_finite = direction.is_finite()
+            && margins.iter().all(Margin::is_finite)
+            && margin::along(&margins, direction).is_finite();
+        if bound.iter().any(is_refuted) || !are_finite {
+            return false;
+        }
+        tally.add(Operation::ExactFallback, 1);
+        let arcs = self.motions.map(|motion| motion.exact_arc(times, self.clock));
+        let exact = Stretch::<Dyadic>::new(self.bodies, arcs, margins);
+        exact.gap_along(direction).iter().all(|c| c.sign().is_gt())
+    }
+
+    /// How far points of each body may be off their places on a stretch, where these have their time.
+    fn margins(&self, times: [f64; 2]) -> [Margin; 2] {
+        [0, 1].map(|i| match self.motions[i].angle_off(times) {
+            angle if angle == 0.0 || (angle.is_finite() && self.clock == Clock::Free) => Margin::NONE,
+            angle => Margin { distance: (angle * self.reaches[i]).next_up(), axis: self.motions[i].unit_axis() },
+        })
+    }
+
+    /// A bound of how far points of both bodies together are off their places on a stretch.
+    pub(super) fn margin(&self, times: [f64; 2]) -> f64 {
+        let off = [0, 1].map(|i| match self.motions[i].angle_off(times) {
+            0.0 => 0.0,
+            angle => (angle * self.reaches[i]).next_up(),
+        });
+        if off == [0.0; 2] { 0.0 } else { (off[0] + off[1]).next_up() }
+    }
+
+    /// A direction that separates the bodies at a time, as they are rounded then, by a search in doubles from a first
+    /// one, or from the path between the centres. It proves nothing, and [`Search::Inside`] as little.
+    pub(super) fn looked_at(&self, time: f64, first: Option<[f64; 3]>, tally: &mut dyn Tally) -> Search {
+        let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return Search::Undecided };
+        let centers = [(0, &p), (1, &q)].map(|(i, pose): (usize, &Pose)| {
+            let (turned, moved) = (image(pose.rows(), &self.bodies[i].center()), pose.translation());
+            [0, 1, 2].map(|k| turned[k] + moved[k])
+        });
+        let apart = [0, 1, 2].map(|k| centers[1][k] - centers[0][k]);
+        search(&[first.unwrap_or(apart)], NEAR_THE_SHORTEST, |u| {
+            tally.add(Operation::SupportEvaluation, 2);
+            let [from, to] = [(0, &p, Side::Away), (1, &q, Side::Toward)].map(|(i, pose, side)| {
+                let [farthest] = self.bodies[i].farthest(side, &[transposed_image(pose.rows(), u)]);
+                image(pose.rows(), &farthest)
+            });
+            let point = [0, 1, 2].map(|k| apart[k] - from[k] - to[k]);
+            Lowest { point, is_found: dot(u, &point) > 0.0 }
+        })
+    }
+}

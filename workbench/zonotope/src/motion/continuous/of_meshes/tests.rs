@@ -1,0 +1,191 @@
+//! First contacts of meshes: their proofs against exact gaps and a count of all pairs, contacts against samples.
+
+use super::super::brute_force::{Placement, gap_of_corners};
+use super::super::tests::random_parts;
+use super::{FreePair, MeshContact, NotRational, Part, first_contact};
+use crate::bvh::{Aabb, BoundingVolume, Bvh, Dop18, Mesh, OrientedBox, Sphere, Zonotope6};
+use crate::motion::{Motion, MotionPiece};
+use crate::numeric::Rational;
+use crate::numeric::exact_linear::rational;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// A surface of triangles about the origin, of a few rows and columns.
+fn surface(rows: u32, columns: u32, radius: f64) -> Mesh {
+    let point = |i: u32, j: u32| {
+        let (a, b) = (f64::from(i) * 6.25 / f64::from(rows), f64::from(j) * 6.25 / f64::from(columns));
+        let reach = radius + 0.4 * libm::cos(a);
+        [reach * libm::cos(b), reach * libm::sin(b), 0.4 * libm::sin(a)]
+    };
+    let vertices = (0..rows).flat_map(|i| (0..columns).map(move |j| point(i, j))).collect();
+    let at = |i: u32, j: u32| (i % rows) * columns + j % columns;
+    let squares =
+        (0..rows).flat_map(|i| (0..columns).map(move |j| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+    Mesh::new(vertices, squares.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()).expect("a surface")
+}
+
+fn triangles_of<V: BoundingVolume>(hierarchy: &Bvh<V>, part: Part) -> Vec<usize> {
+    match part {
+        Part::Triangle(triangle) => vec![triangle],
+        Part::Node(node) => {
+            let below = &hierarchy.topology().order()[hierarchy.topology().nodes()[node].range()];
+            below.iter().map(|&triangle| triangle as usize).collect()
+        }
+    }
+}
+
+/// Holds the proof of each pair to exact gaps at some times of its stretch.
+fn check_pair<V: BoundingVolume>(hierarchies: [&Bvh<V>; 2], parts: [&[MotionPiece]; 2], pair: &FreePair) {
+    let stretch = &pair.stretch;
+    let corners = [0, 1].map(|i| {
+        let triangles = triangles_of(hierarchies[i], pair.parts[i]).into_iter();
+        triangles.flat_map(|triangle| hierarchies[i].mesh().corners(triangle)).collect::<Vec<_>>()
+    });
+    let middle = stretch.from + (stretch.until - stretch.from) / 2.0;
+    let part = |parts: &[MotionPiece]| parts.iter().position(|part| middle < part.until).expect("a part");
+    for thirds in 0..4u8 {
+        let share = Rational::from(thirds) / Rational::from(3u8);
+        let time = rational(stretch.from) + share * (rational(stretch.until) - rational(stretch.from));
+        let placements = parts.map(|parts| Placement::at(parts, part(parts), &time));
+        let gap = gap_of_corners([&corners[0], &corners[1]], placements.each_ref(), &stretch.direction);
+        assert!(gap.expect("there are corners") > Rational::ZERO, "{pair:?}");
+    }
+}
+
+/// Counts that every pair of triangles is free until a time.
+fn check_cover<V: BoundingVolume>(hierarchies: [&Bvh<V>; 2], free: &[FreePair], end: f64) {
+    let [rows, columns] = hierarchies.map(|hierarchy| hierarchy.mesh().triangles().len());
+    let mut stretches: Vec<Vec<[f64; 2]>> = vec![Vec::new(); rows * columns];
+    for pair in free {
+        let [first, second] = [0, 1].map(|i| triangles_of(hierarchies[i], pair.parts[i]));
+        for i in first {
+            for &j in &second {
+                stretches[i * columns + j].push([pair.stretch.from, pair.stretch.until]);
+            }
+        }
+    }
+    for mut of_pair in stretches {
+        of_pair.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let reached = of_pair
+            .iter()
+            .fold(0.0, |reached: f64, [from, until]| if *from <= reached { reached.max(*until) } else { reached });
+        assert!(reached >= end, "{reached} of {end}");
+    }
+}
+
+fn check<V: BoundingVolume>(meshes: [&Mesh; 2], parts: [&[MotionPiece]; 2]) -> MeshContact {
+    let hierarchies = meshes.map(Bvh::<V>::build);
+    let hierarchies = hierarchies.each_ref();
+    let motions = parts.map(|parts| Motion::from_pieces(parts).expect("the parts are a motion"));
+    let found = first_contact(hierarchies, motions.each_ref()).expect("the motions are rational");
+    found.free().iter().for_each(|pair| check_pair(hierarchies, parts, pair));
+    let distance = |time: f64| {
+        let [p, q] = motions.each_ref().map(|motion| motion.pose_at(time).expect("finite"));
+        hierarchies[0].at(&p).distance(hierarchies[1].at(&q))
+    };
+    let end = match &found {
+        MeshContact::Separate { .. } => 1.0,
+        MeshContact::Contact { time, .. } => {
+            assert!(time[1] - time[0] <= 2f64.powi(-30));
+            assert!(distance(time[1]).lower < 1e-12, "{}", V::NAME);
+            time[0]
+        }
+        MeshContact::Grazing { time, .. } => time[0],
+    };
+    check_cover(hierarchies, found.free(), end);
+    for sample in 0..32 {
+        let time = end * f64::from(sample) / 32.0;
+        assert!(time >= end || distance(time).upper > 0.0, "{}: {time}", V::NAME);
+    }
+    found
+}
+
+#[test]
+fn random_motions_are_proved_pair_by_pair() {
+    let mut rng = Pcg64::seed_from_u64(5);
+    let meshes = [surface(4, 6, 1.0), surface(3, 5, 0.8)];
+    let mut cases = [0; 2];
+    for count in 0..24 {
+        let mut parts = [0, 1].map(|_| random_parts(&mut rng, 1 + count % 2));
+        let away = [0, 1, 2].map(|_| rng.random_range(-4.0..4.0));
+        // the second mesh begins elsewhere: a part that is over at once is none, so its axis is moved
+        parts[1].iter_mut().for_each(|part| part.axis_point = away);
+        let [a, b] = [&parts[0][..], &parts[1][..]];
+        let found = check::<OrientedBox>(meshes.each_ref(), [a, b]);
+        let other = check::<Zonotope6>(meshes.each_ref(), [a, b]);
+        assert_eq!(found.name(), other.name());
+        cases[usize::from(matches!(found, MeshContact::Contact { .. }))] += 1;
+    }
+    assert!(cases.iter().all(|count| *count > 0), "{cases:?}");
+}
+
+fn piece(to: [f64; 4], axis_point: [f64; 3], translation: [f64; 3]) -> MotionPiece {
+    MotionPiece { until: 1.0, from: [1.0, 0.0, 0.0, 0.0], to, axis_point, translation }
+}
+
+const STILL: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+
+fn rest() -> MotionPiece {
+    piece(STILL, [0.0; 3], [0.0; 3])
+}
+
+fn triangle(corners: [[f64; 3]; 3]) -> Mesh {
+    Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).expect("a triangle")
+}
+
+#[test]
+fn a_triangle_meets_another_half_way_and_passes_beside_it() {
+    let at = |x: f64, z: f64| triangle([[x, 0.0, z], [x, 1.0, z], [x, 0.0, z + 1.0]]);
+    let (from, to) = (at(0.0, 0.0), at(4.0, 0.25));
+    let right = piece(STILL, [0.0; 3], [8.0, 0.0, 0.0]);
+    let found = check::<Aabb>([&from, &to], [&[right], &[rest()]]);
+    let MeshContact::Contact { time, triangles, .. } = found else { panic!("{found:?}") };
+    assert!(time[0] < 0.5 && time[1] >= 0.5 && triangles == [0, 0], "{time:?}");
+    for above in [1.0 + 1e-9, 7.0] {
+        let found = check::<Sphere>([&from, &at(4.0, above)], [&[right], &[rest()]]);
+        assert_eq!(found.name(), "separate");
+    }
+    // the same corner at one moment
+    let found = check::<Dop18>([&from, &at(4.0, 1.0)], [&[right], &[rest()]]);
+    let MeshContact::Contact { time, .. } = found else { panic!("{found:?}") };
+    assert!(time[0] <= 0.5 && time[1] >= 0.5, "{time:?}");
+}
+
+#[test]
+fn a_needle_that_turns_hits_what_it_jumps_over() {
+    let needle = triangle([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 1e-9]]);
+    let post = triangle([[2.0, 2.0, -1.0], [2.0, 2.0, 1.0], [2.0, 2.0, 1.0]]);
+    // a quarter turn about z: the post stands at an eighth, half-way by symmetry
+    let found = check::<Zonotope6>([&needle, &post], [&[piece([1.0, 0.0, 0.0, 1.0], [0.0; 3], [0.0; 3])], &[rest()]]);
+    let MeshContact::Contact { time, .. } = found else { panic!("{found:?}") };
+    assert!(time[0] <= 0.5 && 0.5 <= time[1] + 1e-9, "{time:?}");
+}
+
+#[test]
+fn meshes_that_meet_at_the_start_meet_then() {
+    let mesh = surface(3, 5, 0.8);
+    let moving = piece([2.0, 0.0, 1.0, 1.0], [0.0; 3], [9.0, 0.0, 0.0]);
+    let found = check::<OrientedBox>([&mesh, &mesh], [&[moving], &[rest()]]);
+    assert!(matches!(found, MeshContact::Contact { time: [0.0, 0.0], .. }), "{found:?}");
+}
+
+#[test]
+fn sizes_at_the_ends_of_the_doubles_have_an_answer() {
+    for size in [1e-300, 1e300] {
+        let at = |x: f64| triangle([[x, 0.0, 0.0], [x, size, 0.0], [x, 0.0, size]]);
+        let hierarchies = [at(0.0), at(4.0 * size)].map(|mesh| Bvh::<Zonotope6>::build(&mesh));
+        let moved = |x: f64| Motion::translation([x, 0.0, 0.0]).expect("finite");
+        let near = first_contact(hierarchies.each_ref(), [&moved(3.0 * size), &Motion::rest()]).expect("rational");
+        assert_ne!(near.name(), "contact");
+        let over = first_contact(hierarchies.each_ref(), [&moved(5.0 * size), &Motion::rest()]).expect("rational");
+        assert_ne!(over.name(), "separate");
+    }
+}
+
+#[test]
+fn rotations_at_constant_rate_are_refused() {
+    let mesh = surface(3, 5, 0.8);
+    let hierarchy = Bvh::<Aabb>::build(&mesh);
+    let turn = Motion::constant_rate([0.0; 3], [0.0, 0.0, 1.0], 1.0, [0.0; 3]).expect("an axis");
+    assert_eq!(first_contact([&hierarchy; 2], [&Motion::rest(), &turn]), Err(NotRational { body: 1 }));
+}
