@@ -96,6 +96,13 @@ impl<'a> Measured<'a> {
         at_largest.collect()
     }
 
+    /// The numbers of one method over those of another at the largest size of each input, with the inputs.
+    pub fn ratios(&self, experiment: &str, [method, other]: [&str; 2], quantity: Quantity) -> Vec<(&'a str, f64)> {
+        let of = |input, method| Some(self.at_largest(Series { experiment, input, method }, quantity)?.1);
+        let inputs = self.inputs(experiment, method).into_iter();
+        inputs.filter_map(|input| Some((input, of(input, method)? / of(input, other)?))).collect()
+    }
+
     /// The least and the greatest of a number over all inputs and sizes of a method, with where they were measured;
     /// `number` makes it from the size and the quantity.
     pub fn extremes(
@@ -180,6 +187,9 @@ mod tests {
         assert_eq!(found.total("wrong-answers", "by_lad", "wrong"), None);
         assert_eq!(found.total_on(series, "wrong"), Some(89.0));
         assert_eq!(found.at_smallest(series, Quantity::Value("wrong")), Some((8, 1.0)));
+        let same = found.ratios("wrong-answers", ["by_gjk", "by_gjk"], Quantity::Value("wrong"));
+        assert_eq!(same, [("flat_bodies", 1.0)]);
+        assert!(found.ratios("wrong-answers", ["by_gjk", "by_lad"], Quantity::Value("wrong")).is_empty());
         let ends = found.extremes("wrong-answers", "by_gjk", Quantity::Value("wrong"), |n, value| value / n);
         let [least, greatest] = ends.expect("there are right answers");
         assert_eq!((least.number, least.n), (0.125, 8));

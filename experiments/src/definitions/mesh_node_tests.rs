@@ -1,8 +1,7 @@
 //! Tests of nodes by two hierarchies over copies of a mesh, by bounding volume and distance; and their times.
 
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use crate::hierarchies::{Asked, MESHES, Placed, mesh, poses};
-use crate::measured::{Measured, Series};
 use crate::seed::Digest;
 use zonotope::bvh::{
     Aabb, BoundingVolume, Bvh, Dop18, Dop26, Mesh, Method, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5,
@@ -17,7 +16,7 @@ const FEWEST_TRIANGLES: usize = 8;
 const TIMED: [&str; 3] = ["teapot", "bumps", "needles"];
 
 /// The volume that the others are compared with.
-const BOXES: &str = "obb";
+pub const BOXES: &str = "obb";
 
 const VARIANTS: &[Variant] = &[
     Variant::at_all_sizes(BOXES, "Boxes that a search turns"),
@@ -35,8 +34,8 @@ const VARIANTS: &[Variant] = &[
 pub const COUNTS: Experiment = Experiment {
     id: "mesh-node-tests",
     title: "Meshes: tests of nodes by bounding volume and distance",
-    question: "How many pairs of nodes do two hierarchies over copies of a mesh test, by bounding volume? n random poses \
-               of the second copy; `at_30` to `at_0.1` are the mean numbers of pairs of nodes where the copies are so \
+    question: "How many pairs of nodes do two hierarchies over copies of a mesh test, by bounding volume? n random \
+               poses of the second copy; `at_30` to `at_0.1` are the mean numbers of pairs of nodes where the copies are so \
                many per cent of the diagonal of the mesh's box apart, `contact` until the first pair of triangles of \
                copies that overlap by one per cent, `all_pairs` until all of them. `fit` is the geometric mean over \
                nodes of eight triangles and more of the expected overlaps over those of a searched box. Tree, leaves \
@@ -65,17 +64,6 @@ pub const TIMES: Experiment = Experiment {
     }),
     ..COUNTS
 };
-
-/// The numbers of a quantity of a volume over those of searched boxes, mesh by mesh.
-pub fn over_boxes(
-    found: &Measured<'_>,
-    experiment: &str,
-    volume: &str,
-    quantity: Quantity,
-) -> Vec<(&'static str, f64)> {
-    let of = |input, method| Some(found.at_largest(Series { experiment, input, method }, quantity)?.1);
-    MESHES.into_iter().filter_map(|mesh| Some((mesh, of(mesh, volume)? / of(mesh, BOXES)?))).collect()
-}
 
 /// What is measured of the hierarchies of one volume.
 struct Measures {

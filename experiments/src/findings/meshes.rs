@@ -3,7 +3,7 @@
 use super::finding::Findings;
 use super::words::{between, input, number, percent, span, title};
 use crate::definition::Quantity;
-use crate::definitions::mesh_node_tests::{COUNTS, TIMES, over_boxes};
+use crate::definitions::mesh_node_tests::{BOXES, COUNTS, TIMES};
 use crate::measured::{Measured, range};
 
 pub(super) static FINDINGS: &[Findings] = &[
@@ -67,13 +67,13 @@ const SIX: [&str; 2] = ["least-volume", "at_most_6"];
 /// Sentence on the tests of nodes of a volume, mesh by mesh.
 fn tests(found: &Measured<'_>, volume: &str, at: &'static str) -> Option<String> {
     let what = format!("Tests of nodes ({at}) of “{}” over those of searched boxes", title(COUNTS.id, volume));
-    ratios(what, &over_boxes(found, COUNTS.id, volume, Quantity::Value(at)))
+    ratios(what, &found.ratios(COUNTS.id, [volume, BOXES], Quantity::Value(at)))
 }
 
 /// Sentence on the times of a volume, mesh by mesh.
 fn times(found: &Measured<'_>, volume: &str, lap: &'static str) -> Option<String> {
     let what = format!("Time ({lap}) of “{}” over that of searched boxes", title(TIMES.id, volume));
-    ratios(what, &over_boxes(found, TIMES.id, volume, Quantity::Time(lap)))
+    ratios(what, &found.ratios(TIMES.id, [volume, BOXES], Quantity::Time(lap)))
 }
 
 fn ratios(what: String, of_meshes: &[(&str, f64)]) -> Option<String> {

@@ -4,7 +4,7 @@ use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::method_color;
 use experiments::definition::Quantity;
-use experiments::definitions::mesh_node_tests::{COUNTS, over_boxes};
+use experiments::definitions::mesh_node_tests::{BOXES, COUNTS};
 use experiments::hierarchies::Asked;
 use experiments::measured::{Measured, Series};
 
@@ -41,7 +41,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
     };
     let tests = Quantity::Value(Asked::Apart(ONE_PER_CENT).name());
     let curve = |(sign, (volume, name)): (usize, (&str, &str))| {
-        let ratios = over_boxes(&found, COUNTS.id, volume, tests).into_iter();
+        let ratios = found.ratios(COUNTS.id, [volume, BOXES], tests).into_iter();
         let points = ratios.filter_map(|(mesh, ratio)| Some([fit(mesh, volume)?, ratio])).collect();
         let look = Look::new(method_color(volume), sign);
         Curve { name: name.to_owned(), notes: Vec::new(), points, fit: Vec::new(), look }

@@ -4,7 +4,7 @@ use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::method_color;
 use experiments::definition::Quantity;
-use experiments::definitions::mesh_node_tests::{COUNTS, over_boxes};
+use experiments::definitions::mesh_node_tests::{BOXES, COUNTS};
 use experiments::hierarchies::{Asked, DISTANCES};
 use experiments::measured::Measured;
 
@@ -61,7 +61,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
 
 /// The geometric mean over meshes of a quantity of a volume over that of searched boxes.
 fn mean_ratio(found: &Measured<'_>, volume: &str, quantity: Quantity) -> Option<f64> {
-    let ratios = over_boxes(found, COUNTS.id, volume, quantity);
+    let ratios = found.ratios(COUNTS.id, [volume, BOXES], quantity);
     let mean = ratios.iter().map(|(_, ratio)| libm::log(*ratio)).sum::<f64>() / ratios.len() as f64;
     mean.is_finite().then(|| libm::exp(mean))
 }

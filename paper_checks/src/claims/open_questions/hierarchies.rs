@@ -39,8 +39,8 @@ fn check(context: &CheckContext) -> Verdict {
     match MESHES.into_iter().map(|name| on_mesh(name, context.seed)).collect::<Result<Vec<String>, String>>() {
         Err(reason) => Verdict::Inconclusive(reason),
         Ok(found) => Verdict::InPart(format!(
-            "hierarchies of zonotopes over two meshes contain their triangles in each of their nodes, exactly, and find \
-             the pairs of triangles that those of boxes find; tests of nodes of copies one per cent of the diagonal \
+            "hierarchies of zonotopes over two meshes contain their triangles in each of their nodes, exactly, and \
+             find the pairs of triangles that those of boxes find; tests of nodes of copies one per cent of the diagonal \
              apart, over those of boxes that a search turns: {}",
             found.join("; ")
         )),

@@ -1,7 +1,7 @@
 //! Hierarchies of bounding volumes over meshes.
 
 use experiments::definition::Quantity;
-use experiments::definitions::mesh_node_tests::{COUNTS, over_boxes};
+use experiments::definitions::mesh_node_tests::{BOXES, COUNTS};
 use experiments::findings::words;
 use experiments::measured::{Measured, range};
 
@@ -26,8 +26,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
          are the same whatever the volume is.",
         "Zonotopes pay where bodies with volume are near each other and apart: there they fit better than boxes, and \
          fewer nodes are opened. They do not pay where meshes overlap, since then every node along the contact is \
-         opened whatever is around it; on flat parts, where a box is as thin; and on single triangles, around which the \
-         least zonotope is a box. A test of many generators takes longer than one of a box: the times are in the other \
+         opened whatever is around it; on flat parts, where a box is as thin; and on single triangles, around which \
+         the least zonotope is a box. A test of many generators takes longer than one of a box: the times are in the other \
          page.",
     ],
     costs: &[Cost {
@@ -44,7 +44,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
 
 /// The meshes on which zonotopes of six generators need fewer tests, apart and overlapping, and their volumes.
 fn lesson(found: &Measured<'_>) -> Option<String> {
-    let ratios = |volume, at| over_boxes(found, COUNTS.id, volume, Quantity::Value(at));
+    let ratios = |volume, at| found.ratios(COUNTS.id, [volume, BOXES], Quantity::Value(at));
     let span = |ratios: &[(&str, f64)]| range(ratios.iter().map(|(_, ratio)| *ratio)).map(words::between);
     let (near, overlapping, four) =
         (ratios("zonotope_6", "at_1"), ratios("zonotope_6", "all_pairs"), ratios("zonotope_4", "at_1"));

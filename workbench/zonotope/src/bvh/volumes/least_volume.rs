@@ -17,6 +17,9 @@
 //! # Complexity
 //! Some hundred linear programs of 3 K + 3 unknowns and O(K²) inequalities a start; O(K² n) for n points each.
 //!
+//! # Shapes
+//! `points`: n × 3, in any order, equal ones allowed; generators are half-lengths.
+//!
 //! # Numerics
 //! The descent is in doubles and ends where a step gains less than 1e-4 of the volume; containment is decided exactly.
 //!

@@ -1,7 +1,7 @@
 //! The descent: pairs of parts with stretches of time, the earliest of each pair first.
 
+use super::answer::{FreePair, MeshContact, Part};
 use super::placed::{Parts, meet};
-use super::{FreePair, MeshContact, Part};
 use crate::bvh::{BoundingVolume, Bvh};
 use crate::motion::Motion;
 use crate::motion::constant_rate::Clock;

@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use super::Part;
+use super::answer::Part;
 use crate::bvh::triangles::meet_exactly;
 use crate::bvh::{BoundingVolume, Bvh};
 use crate::motion::arc::Arc;

@@ -65,7 +65,7 @@ impl<'a> Body<'a> {
         self.generators.iter().copied().chain(between).collect()
     }
 
-    /// How far the body reaches from its centre on one side of it, for each direction: Σ |u · g|, and the largest u · p.
+    /// How far the body reaches from its centre on one side, for each direction: Σ |u · g|, and the largest u · p.
     pub(in crate::motion::continuous) fn reaches<T: Scalar, const K: usize>(
         &self,
         side: Side,
@@ -83,8 +83,8 @@ impl<'a> Body<'a> {
         std::array::from_fn(|k| sums[k].plus(&farthest(&directions[k])))
     }
 
-    /// The vectors from the centre to the points that are farthest along directions on one side, those of the other side
-    /// turned to this one.
+    /// The vectors from the centre to the points that are farthest along directions on one side; on the side that a
+    /// direction leads to, their opposites.
     pub(in crate::motion::continuous) fn farthest<const K: usize>(
         &self,
         side: Side,
