@@ -36,13 +36,10 @@ const SHOWN: [(&str, &str); 5] = [
 
 fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
     let found = Measured::of(input.records.ok_or(FigureError::NoRecords(COUNTS.id))?);
-    let fit = |input, method| {
-        Some(found.at_largest(Series { experiment: COUNTS.id, input, method }, Quantity::Value("fit"))?.1)
-    };
     let tests = Quantity::Value(Asked::Apart(ONE_PER_CENT).name());
     let curve = |(sign, (volume, name)): (usize, (&str, &str))| {
         let ratios = found.ratios(COUNTS.id, [volume, BOXES], tests).into_iter();
-        let points = ratios.filter_map(|(mesh, ratio)| Some([fit(mesh, volume)?, ratio])).collect();
+        let points = ratios.filter_map(|(mesh, ratio)| Some([fit(&found, mesh, volume)?, ratio])).collect();
         let look = Look::new(method_color(volume), sign);
         Curve { name: name.to_owned(), notes: Vec::new(), points, fit: Vec::new(), look }
     };
@@ -60,4 +57,10 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         naming: Naming::Apart,
     };
     plot.draw()
+}
+
+/// The fit of a volume around the nodes of a mesh.
+fn fit(found: &Measured<'_>, mesh: &str, volume: &str) -> Option<f64> {
+    let series = Series { experiment: COUNTS.id, input: mesh, method: volume };
+    Some(found.at_largest(series, Quantity::Value("fit"))?.1)
 }
