@@ -12,9 +12,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use experiments::hierarchies::{Asked, MESHES, Placed, Tests, mesh, poses};
+use experiments::hierarchies::{Asked, MESHES, Placed, Scene, Tests, scene};
 use zonotope::bvh::{
-    Aabb, BoundingVolume, BuildOptions, Bvh, Dop18, Dop26, Mesh, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5,
+    Aabb, BoundingVolume, BuildOptions, Bvh, Dop18, Dop26, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5,
     Zonotope6,
 };
 use zonotope::tally::OperationCounts;
@@ -34,8 +34,7 @@ const BUILDS_OF_A_VOLUME: usize = 3;
 /// One mesh with its poses, and what its lines are compared with.
 struct Measurement<'a> {
     name: &'a str,
-    mesh: &'a Mesh,
-    placed: Vec<Placed>,
+    scene: &'a Scene,
     effort: usize,
     seconds_of_axes: f64,
     of_boxes: Vec<Tests>,
@@ -46,12 +45,13 @@ impl Measurement<'_> {
         let options = BuildOptions { effort: self.effort, ..BuildOptions::default() };
         let build = || {
             let start = Instant::now();
-            let hierarchy = Bvh::<V>::build_with(self.mesh, &options);
+            let hierarchy = Bvh::<V>::build_with(&self.scene.mesh, &options);
             (start.elapsed().as_secs_f64() / self.seconds_of_axes, hierarchy)
         };
         let (mut build_time, hierarchy) = build();
         (1..BUILDS_OF_A_VOLUME).for_each(|_| build_time = build_time.min(build().0));
-        let tests = |asked: Asked| asked.tests(&hierarchy, &self.placed).expect("the answer is that of the pose").0;
+        let tests =
+            |asked: Asked| asked.tests(&hierarchy, &self.scene.placed).expect("the answer is that of the pose").0;
         let all: Vec<Tests> = Asked::all().map(tests).collect();
         if self.of_boxes.is_empty() {
             self.of_boxes = all.clone();
@@ -60,7 +60,7 @@ impl Measurement<'_> {
             println!(
                 "{},{},{},{build_time:.1},{},{nodes:.1},{:.3},{triangles:.1},{:.2}",
                 self.name,
-                self.mesh.triangles().len(),
+                self.scene.mesh.triangles().len(),
                 V::NAME.replace(',', ""),
                 asked.name(),
                 nodes / boxes.nodes,
@@ -78,7 +78,7 @@ impl Measurement<'_> {
             };
             (0..ROUNDS).map(round).fold(f64::INFINITY, f64::min)
         };
-        1e6 * self.placed.iter().map(of_pose).sum::<f64>() / self.placed.len() as f64
+        1e6 * self.scene.placed.iter().map(of_pose).sum::<f64>() / self.scene.placed.len() as f64
     }
 }
 
@@ -88,16 +88,15 @@ fn main() {
     let effort = numbers.get(1).copied().unwrap_or(0);
     println!("mesh,triangles,volume,build,case,node_tests,of_obb,triangle_tests,microseconds");
     for name in MESHES {
-        let mesh = mesh(name).expect("it is among the meshes");
+        let scene = scene(name, count, 1).expect("it is among the meshes");
         let build = |_| {
             let start = Instant::now();
-            black_box(Bvh::<Aabb>::build(&mesh));
+            black_box(Bvh::<Aabb>::build(&scene.mesh));
             start.elapsed().as_secs_f64()
         };
         let seconds_of_axes = (0..BUILDS).map(build).fold(f64::INFINITY, f64::min);
-        let placed = poses(&mesh, count, 1);
         let of_boxes = Vec::new();
-        let mut measured = Measurement { name, mesh: &mesh, placed, effort, seconds_of_axes, of_boxes };
+        let mut measured = Measurement { name, scene: &scene, effort, seconds_of_axes, of_boxes };
         // oriented boxes first: the others are compared with them
         measured.lines::<OrientedBox>();
         measured.lines::<Aabb>();

@@ -109,6 +109,8 @@ pub struct Experiment {
     pub claims: &'static [&'static str],
     /// Families (of points, of clouds, of lines, of bodies or of motions) that give instances of every size.
     pub families: &'static [&'static str],
+    /// Families that the quick profile leaves out: those whose inputs take longest.
+    pub only_full: &'static [&'static str],
     /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each,
     /// of their own size.
     pub real_inputs: &'static [&'static str],
@@ -138,6 +140,7 @@ impl Experiment {
         question: "",
         claims: &[],
         families: &[],
+        only_full: &[],
         real_inputs: &[],
         refuses: |_| None,
         sizes: PerProfile::both(&[]),

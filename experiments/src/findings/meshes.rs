@@ -2,14 +2,18 @@
 
 use super::finding::Findings;
 use super::words::{between, input, number, percent, span, title};
-use crate::definition::Quantity;
+use crate::definition::{Experiment, Quantity, Variant};
 use crate::definitions::mesh_node_tests::{BOXES, COUNTS, TIMES};
-use crate::measured::{Measured, range};
+use crate::measured::{Measured, Series, range};
 
 pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "mesh-node-tests",
         counted: &[
+            |found| fewest_tests(found, "at_10"),
+            |found| fewest_tests(found, "at_1"),
+            |found| fewest_tests(found, "at_0.1"),
+            |found| fewest_tests(found, "all_pairs"),
             |found| tests(found, "zonotope_3", "at_1"),
             |found| tests(found, "zonotope_4", "at_1"),
             |found| tests(found, "zonotope_4", "at_0.1"),
@@ -26,6 +30,9 @@ pub(super) static FINDINGS: &[Findings] = &[
         experiment: "mesh-times",
         counted: &[],
         timed: &[
+            |found| least_time(found, "at_10"),
+            |found| least_time(found, "at_1"),
+            |found| least_time(found, "contact"),
             |found| times(found, "zonotope_6", "at_1"),
             |found| times(found, "zonotope_6", "contact"),
             |found| times(found, "zonotope_4", "at_1"),
@@ -63,6 +70,37 @@ pub(super) static FINDINGS: &[Findings] = &[
 ];
 
 const SIX: [&str; 2] = ["least-volume", "at_most_6"];
+
+/// Sentence on the volumes of the fewest tests of nodes, mesh by mesh.
+pub fn fewest_tests(found: &Measured<'_>, at: &'static str) -> Option<String> {
+    let of_volumes = least(found, &COUNTS, Quantity::Value(at))?;
+    Some(format!("The fewest tests of nodes ({at}) have {of_volumes}."))
+}
+
+/// Sentence on the volumes of the least time, mesh by mesh.
+fn least_time(found: &Measured<'_>, lap: &'static str) -> Option<String> {
+    Some(format!("The least time ({lap}) have {}.", least(found, &TIMES, Quantity::Time(lap))?))
+}
+
+/// The volumes that have the least of a quantity on some meshes, each with these meshes.
+fn least(found: &Measured<'_>, experiment: &Experiment, quantity: Quantity) -> Option<String> {
+    let best_on = |input: &&str| {
+        let of_volume = |variant: &Variant| {
+            let series = Series { experiment: experiment.id, input, method: variant.id };
+            Some((variant.id, found.at_largest(series, quantity)?.1))
+        };
+        let of_volumes = experiment.variants.iter().filter_map(of_volume);
+        Some((*input, of_volumes.min_by(|a, b| a.1.total_cmp(&b.1))?.0))
+    };
+    let best: Vec<(&str, &str)> = found.inputs(experiment.id, BOXES).iter().filter_map(best_on).collect();
+    let of_volume = |variant: &Variant| {
+        let on = best.iter().filter(|(_, volume)| *volume == variant.id);
+        let meshes: Vec<String> = on.map(|(mesh, _)| input(mesh)).collect();
+        if meshes.is_empty() { None } else { Some(format!("“{}” on {}", variant.title, meshes.join(", "))) }
+    };
+    let each: Vec<String> = experiment.variants.iter().filter_map(of_volume).collect();
+    if each.is_empty() { None } else { Some(each.join("; ")) }
+}
 
 /// Sentence on the tests of nodes of a volume, mesh by mesh.
 fn tests(found: &Measured<'_>, volume: &str, at: &'static str) -> Option<String> {

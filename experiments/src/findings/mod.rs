@@ -9,12 +9,12 @@
 //! | `collision` | section 5.1, and the explicit faces |
 //! | `repeated` | section 5.2 |
 //! | `motion` | section 6 |
-//! | `meshes` | hierarchies over meshes, and zonotopes of little volume: section 7 |
+//! | [`meshes`] | hierarchies over meshes, and zonotopes of little volume: section 7 |
 
 mod collision;
 mod finding;
 mod lengths;
-mod meshes;
+pub mod meshes;
 mod motion;
 mod plane;
 mod repeated;

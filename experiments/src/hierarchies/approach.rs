@@ -2,7 +2,7 @@
 
 use families::source::RandomSource;
 use zonotope::Pose;
-use zonotope::bvh::{Bvh, Mesh, OrientedBox};
+use zonotope::bvh::{Bvh, OrientedBox};
 
 /// Distances in terms of the diagonal of the box around the mesh, from far to near.
 pub const DISTANCES: [f64; 4] = [0.3, 0.1, 0.01, 0.001];
@@ -27,9 +27,8 @@ pub struct Placed {
 
 /// Poses by random rotations and directions: a copy comes nearer along a direction, never by more than its distance,
 /// until it is at the wanted one.
-pub fn poses(mesh: &Mesh, count: usize, seed: u64) -> Vec<Placed> {
-    let hierarchy = Bvh::<OrientedBox>::build(mesh);
-    let (low, high) = mesh.vertices().iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), v| {
+pub(super) fn poses(hierarchy: &Bvh<OrientedBox>, count: usize, seed: u64) -> Vec<Placed> {
+    let (low, high) = hierarchy.mesh().vertices().iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), v| {
         (std::array::from_fn(|k| v[k].min(low[k])), std::array::from_fn(|k| v[k].max(high[k])))
     });
     let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();

@@ -4,9 +4,11 @@
 
 mod approach;
 mod asked;
+mod scene;
 
-pub use approach::{DISTANCES, Placed, poses};
+pub use approach::{DISTANCES, Placed};
 pub use asked::{Asked, Tests};
+pub use scene::{Scene, scene};
 
 use crate::data;
 use families::meshes;

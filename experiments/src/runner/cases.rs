@@ -11,8 +11,9 @@ pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec
         _ => experiment.instances.get(profile),
     };
     let sizes = experiment.sizes.get(profile);
-    let generated =
-        experiment.families.iter().flat_map(|&family| sizes.iter().map(move |&n| (family, n, instances(family))));
+    let is_run = |family: &&str| profile == Profile::Full || !experiment.only_full.contains(family);
+    let families = experiment.families.iter().copied().filter(is_run);
+    let generated = families.flat_map(|family| sizes.iter().map(move |&n| (family, n, instances(family))));
     let mut cases = Vec::new();
     for (family, n, instances) in real.chain(generated) {
         for variant in experiment.variants.iter().filter(|variant| n <= variant.largest.get(profile)) {

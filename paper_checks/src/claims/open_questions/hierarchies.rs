@@ -1,8 +1,8 @@
 //! Section 7, fifth question.
 
-use experiments::hierarchies::{Placed, mesh, poses};
+use experiments::hierarchies::{Scene, scene};
 use zonotope::Pose;
-use zonotope::bvh::{BoundingVolume, Bvh, Mesh, OrientedBox, Zonotope4, Zonotope6};
+use zonotope::bvh::{BoundingVolume, Bvh, OrientedBox, Zonotope4, Zonotope6};
 use zonotope::tally::{Operation, OperationCounts};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
@@ -40,18 +40,17 @@ fn check(context: &CheckContext) -> Verdict {
         Err(reason) => Verdict::Inconclusive(reason),
         Ok(found) => Verdict::InPart(format!(
             "hierarchies of zonotopes over two meshes contain their triangles in each of their nodes, exactly, and \
-             find the pairs of triangles that those of boxes find; tests of nodes of copies one per cent of the diagonal \
-             apart, over those of boxes that a search turns: {}",
+             find the pairs of triangles that those of boxes find; tests of nodes of copies one per cent of the \
+             diagonal apart, over those of boxes that a search turns: {}",
             found.join("; ")
         )),
     }
 }
 
 fn on_mesh(name: &str, seed: u64) -> Result<String, String> {
-    let mesh = mesh(name)?;
-    let placed = poses(&mesh, POSES, seed);
-    let boxes = on_volume::<OrientedBox>(&mesh, &placed)?;
-    let [four, six] = [on_volume::<Zonotope4>(&mesh, &placed)?, on_volume::<Zonotope6>(&mesh, &placed)?];
+    let scene = scene(name, POSES, seed)?;
+    let boxes = on_volume::<OrientedBox>(&scene)?;
+    let [four, six] = [on_volume::<Zonotope4>(&scene)?, on_volume::<Zonotope6>(&scene)?];
     if four.1 != boxes.1 || six.1 != boxes.1 {
         return Err(format!("{name}: other pairs than by boxes"));
     }
@@ -60,12 +59,12 @@ fn on_mesh(name: &str, seed: u64) -> Result<String, String> {
 }
 
 /// The tests of nodes of copies that are apart, and the pairs of those that overlap.
-fn on_volume<V: BoundingVolume>(mesh: &Mesh, placed: &[Placed]) -> Result<(u64, Vec<[usize; 2]>), String> {
-    let hierarchy = Bvh::<V>::build(mesh);
+fn on_volume<V: BoundingVolume>(scene: &Scene) -> Result<(u64, Vec<[usize; 2]>), String> {
+    let hierarchy = Bvh::<V>::build(&scene.mesh);
     hierarchy.validate().map_err(|fault| format!("{}: {fault}", V::NAME))?;
     let mut counts = OperationCounts::default();
     let mut pairs = Vec::new();
-    for placed in placed {
+    for placed in &scene.placed {
         let still = hierarchy.at(&Pose::IDENTITY);
         if still.witness(hierarchy.at(&placed.apart[ONE_PER_CENT]), &mut counts).is_some() {
             return Err(format!("{}: copies that are apart meet", V::NAME));

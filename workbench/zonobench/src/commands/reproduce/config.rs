@@ -160,6 +160,8 @@ fn changed_experiment(
     let sorts: Vec<Sort> = base.families.iter().chain(base.real_inputs).filter_map(|name| sort_of(name)).collect();
     if let Some(names) = &section.families {
         experiment.families = leaked(names.iter().map(|name| family(base, &sorts, name, source)))?;
+        // what is named is run in both profiles
+        experiment.only_full = &[];
     }
     if let Some(names) = &section.inputs {
         experiment.real_inputs = leaked(names.iter().map(|name| input(base, &sorts, name, source, own)))?;
