@@ -37,6 +37,7 @@ pub const SPACE: Experiment = Experiment {
                the sizes are few, over one doubling, and no law is fitted.",
     claims: &["theorem-4.7"],
     families: &["sphere_3"],
+    only_full: &[],
     real_inputs: &[],
     refuses: |_| None,
     sizes: PerProfile::both(&[2, 3, 4]),

@@ -135,3 +135,41 @@ fn volume(found: &Measured<'_>, method: &str) -> Option<String> {
         of("generators")?
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::definition::{Case, Measurement, Verdict};
+    use crate::environment::Environment;
+    use crate::record::CountRow;
+    use crate::runner::Records;
+    use zonotope::tally::OperationCounts;
+
+    fn row(mesh: &'static str, volume: &'static str, tests: f64) -> CountRow {
+        let case = Case::new(1, COUNTS.id, mesh, volume, 4, 0);
+        let right = Verdict::Correct("made up".to_owned());
+        CountRow::new(&case, Ok(Measurement::new(&OperationCounts::default(), 0, right).with_value("at_1", tests)))
+    }
+
+    #[test]
+    fn each_mesh_stands_with_the_volume_of_the_fewest_tests() {
+        let counts = vec![
+            row("needles", BOXES, 100.0),
+            row("needles", "dop_26", 50.0),
+            row("needles", "zonotope_6", 80.0),
+            row("torus", BOXES, 30.0),
+            row("torus", "zonotope_6", 12.0),
+            row("cgal_cow", BOXES, 20.0),
+            row("cgal_cow", "zonotope_6", 10.0),
+        ];
+        let records = Records { counts, times: Vec::new(), environment: Environment::current(), elsewhere: Vec::new() };
+        let found = Measured::of(&records);
+        let sentence = fewest_tests(&found, "at_1").expect("there are records");
+        let [of_polytopes, of_zonotopes] = ["dop_26", "zonotope_6"].map(|volume| title(COUNTS.id, volume));
+        let stated = format!("“{of_polytopes}” on needles; “{of_zonotopes}” on torus, cgal cow.");
+        assert_eq!(sentence, format!("The fewest tests of nodes (at_1) have {stated}"));
+        assert_eq!(fewest_tests(&found, "at_10"), None);
+        let ratios = tests(&found, "zonotope_6", "at_1").expect("there are records");
+        assert!(ratios.ends_with("over those of searched boxes: 0.800 on needles; 0.400 on torus; 0.500 on cgal cow."));
+    }
+}

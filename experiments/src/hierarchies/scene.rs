@@ -44,3 +44,30 @@ pub fn scene(name: &str, count: usize, seed: u64) -> Result<Arc<Scene>, String> 
     let made = Arc::new(Scene { mesh, boxes, placed });
     Ok(Arc::clone(kept().entry(key).or_insert(made)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hierarchies::{Asked, DISTANCES};
+
+    #[test]
+    fn a_scene_is_made_once_and_poses_are_at_their_distances() {
+        let [first, again] = [0; 2].map(|_| scene("torus", 2, 7).expect("it is a mesh"));
+        assert!(Arc::ptr_eq(&first, &again));
+        assert!(scene("cube", 2, 7).is_err());
+        for asked in Asked::all() {
+            assert!(asked.tests(&first.boxes, &first.placed).is_ok(), "{}", asked.name());
+        }
+        let (low, high) = first.mesh.vertices().iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(low, high), v| {
+            (std::array::from_fn(|k| v[k].min(low[k])), std::array::from_fn(|k| v[k].max(high[k])))
+        });
+        let size = (0..3).map(|k: usize| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+        for (placed, (at, wanted)) in
+            first.placed.iter().flat_map(|p| DISTANCES.iter().enumerate().map(move |d| (p, d)))
+        {
+            let distance = first.boxes.distance(first.boxes.at(&placed.apart[at]));
+            let share = [distance.lower, distance.upper].map(|d| d / (size * wanted));
+            assert!(share[0] > 0.99 && share[1] < 1.01, "{share:?} of {wanted}");
+        }
+    }
+}

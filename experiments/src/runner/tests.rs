@@ -14,6 +14,7 @@ static TOY: Experiment = Experiment {
     claims: &[],
     families: &["disc", "gaussian"],
     refuses: |_| None,
+    only_full: &[],
     real_inputs: &["croatia"],
     sizes: PerProfile { quick: &[4, 8, 16], full: &[4, 8, 16, 32] },
     instances: PerProfile { quick: 2, full: 3 },

@@ -151,14 +151,32 @@ fn a_triangle_meets_another_half_way_and_passes_beside_it() {
     assert!(time[0] <= 0.5 && time[1] >= 0.5, "{time:?}");
 }
 
+/// A needle that makes a quarter turn about z, with a post of some width in its way.
+fn needle_at_a_post(width: f64) -> MeshContact {
+    let needle = triangle([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 1e-9]]);
+    let post = triangle([[2.0, 2.0, -1.0], [2.0, 2.0, 1.0], [2.0 + width, 2.0, 1.0]]);
+    check::<Zonotope6>([&needle, &post], [&[piece([1.0, 0.0, 0.0, 1.0], [0.0; 3], [0.0; 3])], &[rest()]])
+}
+
+/// The time at which the turn is by an angle: 1 + t k is by twice the angle of tangent t.
+fn time_of_angle(angle: f64) -> f64 {
+    libm::tan(0.5 * angle)
+}
+
 #[test]
 fn a_needle_that_turns_hits_what_it_jumps_over() {
-    let needle = triangle([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.0, 1e-9]]);
-    let post = triangle([[2.0, 2.0, -1.0], [2.0, 2.0, 1.0], [2.0, 2.0, 1.0]]);
-    // a quarter turn about z: the post stands at an eighth, half-way by symmetry
-    let found = check::<Zonotope6>([&needle, &post], [&[piece([1.0, 0.0, 0.0, 1.0], [0.0; 3], [0.0; 3])], &[rest()]]);
-    let MeshContact::Contact { time, .. } = found else { panic!("{found:?}") };
-    assert!(time[0] <= 0.5 && 0.5 <= time[1] + 1e-9, "{time:?}");
+    let MeshContact::Contact { time, .. } = needle_at_a_post(0.25) else { panic!("they meet for a while") };
+    // at the height of the needle the post is half as wide
+    let expected = time_of_angle(libm::atan2(2.0, 2.125));
+    assert!(time[0] - 1e-9 < expected && expected < time[1] + 1e-9, "{time:?}");
+}
+
+#[test]
+fn triangles_that_meet_at_no_double_are_said_to_be_in_doubt_there() {
+    // both triangles are upright: they meet when the needle points at the post, at the root of 2 less 1, and never else
+    let MeshContact::Grazing { time, .. } = needle_at_a_post(0.0) else { panic!("no double is the time") };
+    let expected = time_of_angle(std::f64::consts::FRAC_PI_4);
+    assert!(time[0] < expected && expected < time[1], "{time:?}");
 }
 
 #[test]
