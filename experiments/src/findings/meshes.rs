@@ -83,16 +83,16 @@ fn least_time(found: &Measured<'_>, lap: &'static str) -> Option<String> {
 }
 
 /// The volumes that have the least of a quantity on some meshes, each with these meshes.
-fn least(found: &Measured<'_>, experiment: &Experiment, quantity: Quantity) -> Option<String> {
-    let best_on = |input: &&str| {
+fn least<'a>(found: &Measured<'a>, experiment: &Experiment, quantity: Quantity) -> Option<String> {
+    let best_on = |input: &'a str| {
         let of_volume = |variant: &Variant| {
             let series = Series { experiment: experiment.id, input, method: variant.id };
             Some((variant.id, found.at_largest(series, quantity)?.1))
         };
         let of_volumes = experiment.variants.iter().filter_map(of_volume);
-        Some((*input, of_volumes.min_by(|a, b| a.1.total_cmp(&b.1))?.0))
+        Some((input, of_volumes.min_by(|a, b| a.1.total_cmp(&b.1))?.0))
     };
-    let best: Vec<(&str, &str)> = found.inputs(experiment.id, BOXES).iter().filter_map(best_on).collect();
+    let best: Vec<(&str, &str)> = found.inputs(experiment.id, BOXES).into_iter().filter_map(best_on).collect();
     let of_volume = |variant: &Variant| {
         let on = best.iter().filter(|(_, volume)| *volume == variant.id);
         let meshes: Vec<String> = on.map(|(mesh, _)| input(mesh)).collect();
