@@ -70,7 +70,7 @@ pub const TIMES: Experiment = Experiment {
     ..COUNTS
 };
 
-/// What is measured of the hierarchies of one volume.
+/// The measurements of the hierarchies of one volume.
 struct Measures {
     counted: fn(&Scene) -> Result<Measurement, String>,
     timed: fn(Arc<Scene>) -> TimedWork,

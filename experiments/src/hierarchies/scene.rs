@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use zonotope::bvh::{Bvh, Mesh, OrientedBox};
 
 use super::approach::{Placed, poses};
-use super::mesh;
+use super::meshes::mesh;
 
 /// A mesh and the poses of its copy.
 #[derive(Debug)]

@@ -17,7 +17,7 @@ pub static CLAIM: Claim = Claim {
             ratio to the least one of any number; how many the zonotope of least volume has stays open",
     ),
     code: &["zonotope::enclosing::min_total_length::few_generators"],
-    figures: &["few-generators"],
+    figures: &["few-generators", "least-volume"],
     check: Check::Run(check),
     tried: Tried::On(&["solids"]),
 };

@@ -27,7 +27,7 @@ use crate::zonotope::location::Witness;
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
 /// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite, and the
-/// signs of all products with it. Which of the two u is cannot be read off u: its square underflows where the generators
+/// signs of all products with it; which of the two cannot be read off u, as its square underflows where the generators
 /// are short. `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
 pub(super) fn touching(
     query: &dyn KernelQuery,
