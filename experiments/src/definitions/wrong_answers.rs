@@ -55,6 +55,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     // Wrong answers are what is measured here; only an exact method may not have any.
     let verdict = if wrong > 0 && collision_methods::is_exact(case.variant) {
         Verdict::Wrong(format!("{wrong} of {asked} answers contradict the questions' construction"))
+    } else if wrong + failed > 0 {
+        Verdict::Unchecked(format!("{wrong} wrong and {failed} missing of {asked} answers, which is what is counted"))
     } else {
         Verdict::Correct("wrong answers counted against the questions' construction".to_owned())
     };

@@ -68,7 +68,7 @@ pub fn span(
     made: impl Fn(f64, f64) -> f64,
 ) -> Option<String> {
     let [least, greatest] = found.extremes(experiment, method, quantity, made)?;
-    let inputs = found.inputs(experiment, method).len();
+    let inputs = found.over_inputs(experiment, method, quantity).len();
     let range = match least.number == greatest.number {
         true => format!("is {} wherever it was measured", number(least.number)),
         false => format!("is from {} to {}", at(&least), at(&greatest)),

@@ -38,7 +38,7 @@ pub static CLAIM: Claim = Claim {
 /// tangents of dynamic hulls, whose orientation tests are counted.
 fn check(context: &CheckContext) -> Verdict {
     let verdict = growth::verdict(context, &CLAIM, step_evidence(context), growth_evidence, &["by_dynamic_hull"]);
-    growth::but_for(verdict, "the space, and steps of which the hull is more than one chain of points")
+    growth::but_for(verdict, "steps of which the hull is more than one chain of points")
 }
 
 fn step_evidence(context: &CheckContext) -> Result<String, String> {
@@ -131,7 +131,20 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
         let what = format!("orientation tests of a deletion, insertion and two tangents in hulls of points in {name}");
         evidence.push(growth::evidence_on(&what, &samples, GrowthModel::LogSquared)?);
     }
+    evidence.push(growth::evidence_on("bytes of a walk on random bodies", &bytes(context)?, GrowthModel::Linear)?);
     Ok(evidence.join("; "))
+}
+
+/// The bytes that a walk holds, by the number of generators.
+fn bytes(context: &CheckContext) -> Result<Vec<(f64, f64)>, String> {
+    let mut random = generator(context.seed, 91);
+    let sizes = [6, 7, 8, 9, 10].map(|exponent| 1u32 << exponent);
+    let of = |count: u32| {
+        let rows: Vec<[f64; 3]> = (0..count).map(|_| [0; 3].map(|_| random.random_range(-1.0..=1.0))).collect();
+        let walk = HullWalk::new(&rows).map_err(|error| error.to_string())?;
+        Ok((f64::from(count), walk.bytes() as f64))
+    };
+    sizes.into_iter().map(of).collect()
 }
 
 /// The number of tests for building the hull, and the mean number for deleting and inserting a point and for two

@@ -110,7 +110,8 @@ fn growth(context: &CheckContext) -> Result<String, String> {
         "for 1200 points on a sphere and four sets each of k = 6 to 12 directions the rows of the printed program, \
          {} for k = 12 and never more than k (k-1) (2k+3), grow like (k-1)/k k^{printed_power:.2}, those over all \
          normals, {} and never more than k (k-1), like (k-1)/k k^{all_power:.2}, those found as needed, {}, like \
-         k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times",
+         k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times; \
+         the factorisations of the programs' matrices are not counted",
         last(&printed),
         last(&all),
         last(&needed)

@@ -9,6 +9,7 @@ use zonotope::lad::{LadProblem, WeightedLine};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Bisector, Point, bisectors, least_area};
+use crate::growth;
 use crate::instances::polygons::{generator, polygons};
 use crate::proofs::library::double;
 
@@ -28,6 +29,10 @@ pub static CLAIM: Claim = Claim {
 
 /// Follows the library's search: every vertical line halves the candidates, and goes to the side of the minimisers.
 fn check(context: &CheckContext) -> Verdict {
+    growth::verdict(context, &CLAIM, halved(context), vertical_lines, &["by_slope_selection"])
+}
+
+fn halved(context: &CheckContext) -> Result<String, String> {
     let mut random = generator(context.seed, 20);
     let (mut searches, mut sides) = (0, 0);
     for instance in polygons(&mut random, 60) {
@@ -35,11 +40,19 @@ fn check(context: &CheckContext) -> Verdict {
         let steps = search(&lines, context.seed);
         let (_, minimizers) = least_area(&instance.polygon);
         if let Some(step) = steps.iter().find(|step| !halves(step) || !finds_the_side(step, &minimizers)) {
-            return Verdict::Refuted(format!("{}: {step:?}", instance.name));
+            return Err(format!("{}: {step:?}", instance.name));
         }
         searches += 1;
         sides += steps.len();
     }
+    Ok(format!(
+        "{searches} searches drew {sides} vertical lines; each left at most half of the candidates, on the side of all \
+         minimisers"
+    ))
+}
+
+/// The number of vertical lines, which is held to the number of halvings.
+fn vertical_lines(context: &CheckContext) -> Result<String, String> {
     let mut counts = Vec::new();
     for exponent in [5, 7, 9] {
         let n: usize = 1 << exponent;
@@ -49,15 +62,11 @@ fn check(context: &CheckContext) -> Verdict {
         let (_, steps) = trace(&Bisectors::new(&hull, &farthest).kernel_problem(), context.seed);
         let halvings = (n * (n - 1) / 2).ilog2() as usize + 1;
         if steps.len() > halvings || !steps.iter().all(halves) {
-            return Verdict::Refuted(format!("{} vertical lines for n = {n}", steps.len()));
+            return Err(format!("{} vertical lines for n = {n}", steps.len()));
         }
         counts.push(format!("{} for n = {n} ({halvings} halvings)", steps.len()));
     }
-    Verdict::Holds(format!(
-        "{searches} searches drew {sides} vertical lines; each left at most half of the candidates, on the side of all \
-         minimisers. Vertical lines on random convex polygons: {}",
-        counts.join(", ")
-    ))
+    Ok(format!("vertical lines on random convex polygons: {}", counts.join(", ")))
 }
 
 /// The vertical lines of the library's search for the least hinge sum. The cross products are exact in doubles.

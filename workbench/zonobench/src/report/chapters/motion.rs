@@ -61,8 +61,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let missed = |method, value| found.total("motion-misses", method, value);
     let share = |method| Some(words::percent(missed(method, "missed")? / missed(method, "collisions")?));
     Some(format!(
-        "At a clearance of one thousandth the median motion is proved free by {} stretches of time with one direction \
-         each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as many. Of the \
+        "At a clearance of one thousandth the median motion of motion-strength is proved free by {} stretches of time \
+         with one direction each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as many. Of the \
          collisions of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and samples contradict \
          {} of the answers by control points.",
         numbers(&own)?,

@@ -25,7 +25,7 @@ pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> St
     }
     let mut text = format!(
         "<details class=\"experiment\" id=\"experiment-{}\"{}>\n<summary>{} <small>{} answers checked and right, {} \
-         unchecked, {} wrong or failed</small></summary>\n<p>{}</p>\n",
+         without a check of their own, {} refused by it</small></summary>\n<p>{}</p>\n",
         experiment.id,
         if faults.is_empty() { "" } else { " open" },
         Escaped(experiment.title),

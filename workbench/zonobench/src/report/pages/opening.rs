@@ -76,5 +76,5 @@ fn tiles(evidence: &Evidence) -> Vec<(u64, &'static str)> {
     });
     let counts = &evidence.records.counts;
     let wrong = counts.iter().filter(|row| row.fault().is_some()).count();
-    findings.chain([(counts.len() as u64, "runs counted"), (wrong as u64, "of them wrong or failed")]).collect()
+    findings.chain([(counts.len() as u64, "runs counted"), (wrong as u64, "of them refused by their check")]).collect()
 }

@@ -54,15 +54,16 @@ fn confirmed(
     (is_proved || moving.is_proved_with_bounds(times, &direction, tally)).then_some(direction)
 }
 
-/// The normal of two edges that proves a stretch, by the direction that separates the bodies at its middle.
+/// The normal of two edges that proves a stretch, by the first of some directions that separate the bodies at its
+/// middle, or near it.
 pub(in crate::motion::continuous) fn of_edges(
     moving: &Moving<'_>,
     stretch: &Stretch<'_, f64>,
     times: [f64; 2],
-    found: Apart,
+    known: &[Apart],
     tally: &mut dyn Tally,
 ) -> Option<SeparatingDirection> {
-    let u = fixed_in_space(&found?)?;
+    let u = known.iter().flatten().find_map(fixed_in_space)?;
     if stretch.arcs.iter().all(|arc| arc.is_translation) {
         return None;
     }

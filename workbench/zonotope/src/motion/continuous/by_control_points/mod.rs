@@ -184,7 +184,7 @@ impl Search<'_, '_> {
             }
             Look::Apart(found) => {
                 if let Some(direction) = stretch
-                    .and_then(|stretch| directions::of_edges(&self.scene.moving, &stretch, times, found, self.tally))
+                    .and_then(|stretch| directions::of_edges(&self.scene.moving, &stretch, times, &[found], self.tally))
                 {
                     self.free.push(FreeStretch { from, until, direction });
                     return Decided::Not;

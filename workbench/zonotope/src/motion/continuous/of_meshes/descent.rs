@@ -19,7 +19,7 @@ const PAIR_LIMIT: usize = 1 << 24;
 struct Open {
     parts: [Part; 2],
     times: [f64; 2],
-    /// Directions that separate the parts at the ends, if they are known.
+    /// Directions that separate the parts at the ends or near them, if they are known.
     hints: [Apart; 2],
     /// Whether the parts are triangles that meet at the end.
     meets: bool,
@@ -123,7 +123,7 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
             let known = [found.or(pair.hints[1]), pair.hints[0], before];
             let stretch = moving.rounded_stretch(pair.times);
             let direction = directions::separating(&moving, &stretch, pair.times, &known, tally)
-                .or_else(|| directions::of_edges(&moving, &stretch, pair.times, found, tally));
+                .or_else(|| directions::of_edges(&moving, &stretch, pair.times, &known, tally));
             if let Some(direction) = direction {
                 return self.free.push(FreePair { parts: pair.parts, stretch: FreeStretch { from, until, direction } });
             }
@@ -137,9 +137,9 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
 
     /// Takes both halves of a stretch, the first one next.
     fn halve(&mut self, pair: &Open, middle: f64, found: Apart) {
-        let Open { parts, times: [from, until], hints, meets } = *pair;
-        self.open.push(Open { parts, times: [middle, until], hints: [found, hints[1]], meets });
-        self.open.push(Open { parts, times: [from, middle], hints: [hints[0], found], meets: false });
+        let Open { parts, times: [from, until], hints: [first, last], meets } = *pair;
+        self.open.push(Open { parts, times: [middle, until], hints: [found.or(first), last], meets });
+        self.open.push(Open { parts, times: [from, middle], hints: [first, found.or(last)], meets: false });
     }
 
     /// Opens the larger one of two nodes.
