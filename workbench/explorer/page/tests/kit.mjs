@@ -78,12 +78,17 @@ export class Opened {
     await this.rest();
   }
 
+  /** Waits until the present state is drawn, whether or not the worker has answered. */
+  async drawn() {
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
   /**
    * Waits until nothing is drawn any more and the worker has answered. The page gets clicks and keys before its next
    * frame, however long that takes; after two frames it is busy with what they asked for, or has done it.
    */
   async rest() {
-    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.drawn();
     await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
   }
 

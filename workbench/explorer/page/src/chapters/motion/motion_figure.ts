@@ -178,12 +178,15 @@ export function drawPlaced(
   colour: string,
   opacity = 0.9,
 ): void {
-  const vertices = faces.vertices.map((vertex) => placeAt(vertex, motion, time));
-  const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
-  solid.draw(
-    { vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) },
-    { facets: colours, opacity, edge: "#20242a" },
-  );
+  solid.drawFrom(faces, () => [
+    { ...faces, edges: faces.edges.map((edge) => edge.ends) },
+    {
+      facets: faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)])),
+      opacity,
+      edge: "#20242a",
+    },
+  ]);
+  solid.place((point) => placeAt(point, motion, time));
 }
 
 /** The plane in the middle of the gap between two bodies. */
