@@ -5,6 +5,7 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  FrontSide,
   LineBasicMaterial,
   LineSegments,
   Matrix4,
@@ -62,7 +63,6 @@ export class Solid {
     // Faces are moved back a little, so that the edges on them do not flicker.
     const material = new MeshLambertMaterial({
       vertexColors: true,
-      side: DoubleSide,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,
@@ -134,6 +134,8 @@ export class Solid {
     this.faces.material.transparent = look.opacity < 1;
     this.faces.material.opacity = look.opacity;
     this.faces.material.depthWrite = look.opacity === 1;
+    // Of an opaque solid nobody sees the inside; a flat one has no inside.
+    this.faces.material.side = look.opacity === 1 && shape.facets.length > 2 ? FrontSide : DoubleSide;
     const ends = new Float32Array(shape.edges.length * 6);
     shape.edges.forEach((edge, index) => {
       for (let end = 0; end < 6; end += 1)
