@@ -13,6 +13,7 @@ import {
   MeshLambertMaterial,
   type Object3D,
 } from "three";
+import type { Faces } from "../library/pictures";
 import type { Vec2, Vec3 } from "../library/shapes";
 import { cross3, dot3, length3, scale3, sub3 } from "./vectors";
 
@@ -28,10 +29,16 @@ export interface SolidShape {
   readonly vertices: readonly Vec3[];
   /** The vertices of each facet, counter-clockwise from outside. */
   readonly facets: readonly (readonly number[])[];
-  readonly edges: readonly (readonly [number, number])[];
+  /** The ends of all edges, one edge after the other. */
+  readonly ends: ArrayLike<number>;
 }
 
-const NOTHING: SolidShape = { vertices: [], facets: [], edges: [] };
+export function solidOf(faces: Faces): SolidShape {
+  const { vertices, facets, flat } = faces;
+  return { vertices, facets, ends: flat["edges.ends"] ?? faces.edges.flatMap((edge) => edge.ends) };
+}
+
+const NOTHING: SolidShape = { vertices: [], facets: [], ends: [] };
 
 /** The origin and the ends of the axes. */
 const CORNERS: readonly Vec3[] = [
@@ -136,11 +143,9 @@ export class Solid {
     this.faces.material.depthWrite = look.opacity === 1;
     // Of an opaque solid nobody sees the inside; a flat one has no inside.
     this.faces.material.side = look.opacity === 1 && shape.facets.length > 2 ? FrontSide : DoubleSide;
-    const ends = new Float32Array(shape.edges.length * 6);
-    shape.edges.forEach((edge, index) => {
-      for (let end = 0; end < 6; end += 1)
-        ends[6 * index + end] = (shape.vertices[edge[end < 3 ? 0 : 1]] as Vec3)[end % 3] as number;
-    });
+    const ends = new Float32Array(shape.ends.length * 3);
+    for (let end = 0; end < shape.ends.length; end += 1)
+      ends.set(shape.vertices[shape.ends[end] as number] as Vec3, 3 * end);
     const segments = new BufferGeometry();
     segments.setAttribute("position", new BufferAttribute(ends, 3));
     this.lines.geometry.dispose();

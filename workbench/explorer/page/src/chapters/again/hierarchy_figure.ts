@@ -2,7 +2,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { html } from "../../kit/elements";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { Stepper } from "../../kit/stepper";
 import { add3 } from "../../kit/vectors";
@@ -46,10 +46,7 @@ export function hierarchyFigure(control: Control<State>): Figure<State, Answers>
 }
 
 function show(solid: Solid, faces: Faces, { colour, opacity }: { colour: string; opacity: number }): void {
-  solid.drawFrom(faces, () => [
-    { ...faces, edges: faces.edges.map((edge) => edge.ends) },
-    { facets: faces.facets.map(() => colour), opacity, edge: colour },
-  ]);
+  solid.drawFrom(faces, () => [solidOf(faces), { facets: faces.facets.map(() => colour), opacity, edge: colour }]);
 }
 
 function told({ found }: MeetingOfTwo): string {

@@ -2,7 +2,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { drawPlane } from "../../kit/separating_plane";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { dot3, length3, place3, scale3, tidy3 } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
@@ -68,8 +68,7 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
 function draw(solid: Solid, faces: Faces | null, colour: string): void {
   if (!faces) return solid.clear();
   const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
-  const shape = { vertices: faces.vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) };
-  solid.draw(shape, { facets: colours, opacity: OPACITY, edge: colour });
+  solid.draw(solidOf(faces), { facets: colours, opacity: OPACITY, edge: colour });
 }
 
 /** The plane in the middle of the gap; of two bodies, that between the first and the second where it stands. */

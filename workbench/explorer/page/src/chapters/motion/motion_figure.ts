@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
 import { bodyAt, placeAt, turned } from "../../kit/placement";
 import { drawPlane } from "../../kit/separating_plane";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { TimeBar, type Span } from "../../kit/time_bar";
 import { add3, cross3, digits, dot3, length3, place3, scale3, sub3, tidy3 } from "../../kit/vectors";
@@ -188,7 +188,7 @@ export function drawPlaced(
   opacity = 1,
 ): void {
   solid.drawFrom(faces, () => [
-    { ...faces, edges: faces.edges.map((edge) => edge.ends) },
+    solidOf(faces),
     {
       facets: faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)])),
       opacity,
