@@ -86,6 +86,14 @@ export class Opened {
     await this.rest();
   }
 
+  /** Goes to a chapter by the list of chapters; the first one is opened. */
+  async turn(id) {
+    if (!this.page.url().startsWith(this.file)) return this.chapter(id);
+    await this.page.locator(`nav a[data-chapter="${id}"]`).click();
+    await this.page.waitForSelector(`article#${id} figure`);
+    await this.rest();
+  }
+
   /** Waits until the present state is drawn, whether or not the worker has answered. */
   async drawn() {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -124,7 +132,7 @@ export class Opened {
     await this.page.mouse.move(x, y);
     await this.page.mouse.down();
     await this.page.mouse.move(x + dx, y + dy, { steps });
-    await this.page.waitForTimeout(100);
+    await this.drawn();
     // The view may be drawn anew around its content when the handle is let go, so the place is looked at before.
     const box = await this.page.locator(`${selector} .mark`).first().boundingBox();
     await this.page.mouse.up();
