@@ -14,13 +14,13 @@ export function launch() {
   return chromium.launch({
     executablePath: browserPath(),
     // Machines of tests have no graphics card. Pictures of space are drawn in software; that the page is put together in
-    // software directly, and not by a card that is software, leaves three times as much time for them.
+    // software directly, and not by a card that is software, leaves more time for them.
     args: [
       "--no-sandbox",
       "--disable-dev-shm-usage",
       "--use-angle=swiftshader",
       "--enable-unsafe-swiftshader",
-      ...(process.env.GC ? [] : ["--disable-gpu-compositing"]),
+      "--disable-gpu-compositing",
     ],
   });
 }
