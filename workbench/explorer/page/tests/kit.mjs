@@ -13,8 +13,8 @@ export function browserPath() {
 export function launch() {
   return chromium.launch({
     executablePath: browserPath(),
-    // Machines of tests have no graphics card. Pictures of space are drawn in software; that the page is put together in
-    // software directly, and not by a card that is software, leaves more time for them.
+    // Machines of tests have no graphics card. Pictures of space are drawn in software; that the page is put together
+    // in software directly, and not by a card that is software, leaves more time for them.
     args: [
       "--no-sandbox",
       "--disable-dev-shm-usage",
