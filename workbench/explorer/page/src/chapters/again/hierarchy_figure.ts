@@ -5,7 +5,7 @@ import { html } from "../../kit/elements";
 import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { Stepper } from "../../kit/stepper";
-import { add3 } from "../../kit/vectors";
+import { add3, scale3 } from "../../kit/vectors";
 import type { Faces } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
 import { STEPS, WAY, type MeetingOfTwo } from "./meeting";
@@ -38,7 +38,8 @@ export function hierarchyFigure(control: Control<State>): Figure<State, Answers>
         show(solids[index] as Solid, faces, LOOKS[index] as (typeof LOOKS)[number]);
         if (index % 2 === 1) solids[index]?.place((point) => add3(point, center));
       });
-      view.fit([...meeting.bodies[0].vertices, ...WAY]);
+      // At the ends of the way a coarse body reaches farther than its centre.
+      view.fit([...meeting.bodies[0].vertices, ...WAY.map((place) => scale3(place, 1.15))]);
       view.draw([], [], [{ points: WAY, look: "thin" }]);
       stepper.draw(at, STEPS + 1, told(meeting));
     },
