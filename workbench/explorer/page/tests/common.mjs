@@ -16,7 +16,7 @@ const OWN = {
 export async function test(opened, library, { ids }) {
   const { page } = opened;
   for (const id of ids) {
-    await opened.chapter(id);
+    await opened.turn(id);
     const presets = await page.getByRole("combobox", { name: "Preset" }).locator("option").allTextContents();
     for (const name of presets.slice(1)) {
       await opened.preset(name);

@@ -13,7 +13,15 @@ export function browserPath() {
 export function launch() {
   return chromium.launch({
     executablePath: browserPath(),
-    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    // Machines of tests have no graphics card. Pictures of space are drawn in software; that the page is put together
+    // in software directly, and not by a card that is software, leaves more time for them.
+    args: [
+      "--no-sandbox",
+      "--disable-dev-shm-usage",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--disable-gpu-compositing",
+    ],
   });
 }
 
@@ -78,12 +86,25 @@ export class Opened {
     await this.rest();
   }
 
+  /** Goes to a chapter by the list of chapters; the first one is opened. */
+  async turn(id) {
+    if (!this.page.url().startsWith(this.file)) return this.chapter(id);
+    await this.page.locator(`nav a[data-chapter="${id}"]`).click();
+    await this.page.waitForSelector(`article#${id} figure`);
+    await this.rest();
+  }
+
+  /** Waits until the present state is drawn, whether or not the worker has answered. */
+  async drawn() {
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
   /**
    * Waits until nothing is drawn any more and the worker has answered. The page gets clicks and keys before its next
    * frame, however long that takes; after two frames it is busy with what they asked for, or has done it.
    */
   async rest() {
-    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.drawn();
     await this.page.waitForSelector("article:not([aria-busy])", { timeout: 60_000 });
   }
 
@@ -111,7 +132,7 @@ export class Opened {
     await this.page.mouse.move(x, y);
     await this.page.mouse.down();
     await this.page.mouse.move(x + dx, y + dy, { steps });
-    await this.page.waitForTimeout(100);
+    await this.drawn();
     // The view may be drawn anew around its content when the handle is let go, so the place is looked at before.
     const box = await this.page.locator(`${selector} .mark`).first().boundingBox();
     await this.page.mouse.up();

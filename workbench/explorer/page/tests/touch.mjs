@@ -8,14 +8,14 @@ export async function test(opened, _library, { ids }) {
   const session = await page.context().newCDPSession(page);
   const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   for (const id of ids) {
-    await opened.chapter(id);
+    await opened.turn(id);
     const handle = page.locator("[data-handle]").first();
     if ((await handle.count()) === 0) continue;
     const selector = `[data-handle="${await handle.getAttribute("data-handle")}"]`;
     const { x, y } = await opened.place(selector);
     await touch("touchStart", [{ x, y }]);
     for (let step = 1; step <= 6; step += 1) await touch("touchMove", [{ x: x + 5 * step, y: y + 3 * step }]);
-    await page.waitForTimeout(600);
+    await opened.drawn();
     const box = await page.locator(`${selector} .mark`).first().boundingBox();
     const after = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
     await touch("touchEnd", []);

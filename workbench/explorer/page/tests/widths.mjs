@@ -8,12 +8,13 @@ export async function test(opened, _library, { ids, shots }) {
   const { page } = opened;
   if (shots) mkdirSync(shots, { recursive: true });
   for (const id of ids) {
-    await opened.chapter(id);
+    await opened.turn(id);
     for (const scheme of ["light", "dark"]) {
       for (const width of WIDTHS) {
         await page.emulateMedia({ colorScheme: scheme });
         await page.setViewportSize({ width, height: width < 500 ? 740 : width > 2000 ? 1440 : 900 });
-        await page.waitForTimeout(300);
+        // The size is seen in one frame, and what follows from it is drawn in the next ones.
+        for (let round = 0; round < 2; round += 1) await opened.drawn();
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         holds(wide <= width, `${id}: the page is ${wide} pixels wide in a window of ${width}`);
         const over = await page.evaluate(overlaps);

@@ -69,9 +69,10 @@ export async function toPng(picture: string): Promise<Blob> {
   canvas.width = image.width * SHARPNESS;
   canvas.height = image.height * SHARPNESS;
   (canvas.getContext("2d") as CanvasRenderingContext2D).drawImage(image, 0, 0, canvas.width, canvas.height);
-  return new Promise((resolve, reject) =>
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture is too large"))), "image/png"),
-  );
+  // At once: what browsers do in the background, like toBlob, may begin only seconds later.
+  const address = canvas.toDataURL("image/png");
+  if (address === "data:,") throw new Error("the picture is too large");
+  return (await fetch(address)).blob();
 }
 
 /** Puts a text on the clipboard; a page opened from a file may have none, then an old command does it. */

@@ -16,12 +16,7 @@ export function drawPlane(plane: Solid, through: Vec3, normal: Vec3, half: numbe
     {
       vertices,
       facets: [[0, 1, 2, 3]],
-      edges: [
-        [0, 1],
-        [1, 2],
-        [2, 3],
-        [3, 0],
-      ],
+      ends: [0, 1, 1, 2, 2, 3, 3, 0],
     },
     { facets: [COLOUR], opacity: 0.25, edge: COLOUR },
   );

@@ -5,12 +5,15 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  FrontSide,
   LineBasicMaterial,
   LineSegments,
+  Matrix4,
   Mesh,
   MeshLambertMaterial,
   type Object3D,
 } from "three";
+import type { Faces } from "../library/pictures";
 import type { Vec2, Vec3 } from "../library/shapes";
 import { cross3, dot3, length3, scale3, sub3 } from "./vectors";
 
@@ -26,13 +29,40 @@ export interface SolidShape {
   readonly vertices: readonly Vec3[];
   /** The vertices of each facet, counter-clockwise from outside. */
   readonly facets: readonly (readonly number[])[];
-  readonly edges: readonly (readonly [number, number])[];
+  /** The ends of all edges, one edge after the other. */
+  readonly ends: ArrayLike<number>;
+}
+
+export function solidOf(faces: Faces): SolidShape {
+  const { vertices, facets, flat } = faces;
+  return { vertices, facets, ends: flat["edges.ends"] ?? faces.edges.flatMap((edge) => edge.ends) };
+}
+
+const NOTHING: SolidShape = { vertices: [], facets: [], ends: [] };
+
+/** The origin and the ends of the axes. */
+const CORNERS: readonly Vec3[] = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** Red, green and blue of colours that were drawn before. */
+const KNOWN = new Map<string, Vec3>();
+
+function colourOf(text: string): Vec3 {
+  const known = KNOWN.get(text) ?? (new Color(text).toArray() as [number, number, number]);
+  KNOWN.set(text, known);
+  return known;
 }
 
 export class Solid {
   readonly objects: readonly Object3D[];
-  shape: SolidShape = { vertices: [], facets: [], edges: [] };
   look: SolidLook = { facets: [], opacity: 1, edge: "#000000" };
+  private drawn: SolidShape = NOTHING;
+  private source: object | null = null;
+  private placing: ((point: Vec3) => Vec3) | null = null;
   private readonly faces: Mesh<BufferGeometry, MeshLambertMaterial>;
   private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial>;
 
@@ -40,7 +70,6 @@ export class Solid {
     // Faces are moved back a little, so that the edges on them do not flicker.
     const material = new MeshLambertMaterial({
       vertexColors: true,
-      side: DoubleSide,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,
@@ -48,28 +77,57 @@ export class Solid {
     this.faces = new Mesh(new BufferGeometry(), material);
     this.lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.objects = [this.faces, this.lines];
+    for (const object of this.objects) object.matrixAutoUpdate = false;
+  }
+
+  /** The shape in its place. */
+  get shape(): SolidShape {
+    const { drawn, placing } = this;
+    return placing ? { ...drawn, vertices: drawn.vertices.map(placing) } : drawn;
   }
 
   /** Draws nothing. */
   clear(): void {
-    this.draw({ vertices: [], facets: [], edges: [] }, { facets: [], opacity: 1, edge: "#000000" });
+    this.draw(NOTHING, { facets: [], opacity: 1, edge: "#000000" });
+  }
+
+  /** Moves what is drawn, by a movement of space: nothing is made anew. */
+  place(movement: (point: Vec3) => Vec3): void {
+    this.placing = movement;
+    const [o, x, y, z] = CORNERS.map(movement) as [Vec3, Vec3, Vec3, Vec3];
+    const [a, b, c] = [sub3(x, o), sub3(y, o), sub3(z, o)];
+    const matrix = new Matrix4(a[0], b[0], c[0], o[0], a[1], b[1], c[1], o[1], a[2], b[2], c[2], o[2], 0, 0, 0, 1);
+    for (const object of this.objects) {
+      object.matrix.copy(matrix);
+      object.matrixWorldNeedsUpdate = true;
+    }
+  }
+
+  /** Draws what comes of a source, unless it was drawn last. */
+  drawFrom(source: object, make: () => readonly [SolidShape, SolidLook]): void {
+    if (this.source === source) return;
+    this.draw(...make());
+    this.source = source;
   }
 
   draw(shape: SolidShape, look: SolidLook): void {
-    [this.shape, this.look] = [shape, look];
+    [this.drawn, this.look, this.source] = [shape, look, null];
     const corners = shape.facets.reduce((sum, facet) => sum + Math.max(0, facet.length - 2) * 3, 0);
     const places = new Float32Array(corners * 3);
     const normals = new Float32Array(corners * 3);
     const colours = new Float32Array(corners * 3);
     let at = 0;
     shape.facets.forEach((facet, index) => {
-      const colour = new Color(look.facets[index] ?? "#888888");
+      const [red, green, blue] = colourOf(look.facets[index] ?? "#888888");
       const normal = normalOf(shape, facet);
       for (let corner = 2; corner < facet.length; corner += 1) {
         for (const vertex of [facet[0], facet[corner - 1], facet[corner]]) {
-          places.set(shape.vertices[vertex as number] as Vec3, at);
-          normals.set(normal, at);
-          colours.set([colour.r, colour.g, colour.b], at);
+          const place = shape.vertices[vertex as number] as Vec3;
+          for (let axis = 0; axis < 3; axis += 1) {
+            places[at + axis] = place[axis] as number;
+            normals[at + axis] = normal[axis] as number;
+          }
+          [colours[at], colours[at + 1], colours[at + 2]] = [red, green, blue];
           at += 3;
         }
       }
@@ -83,9 +141,11 @@ export class Solid {
     this.faces.material.transparent = look.opacity < 1;
     this.faces.material.opacity = look.opacity;
     this.faces.material.depthWrite = look.opacity === 1;
-    const ends = new Float32Array(
-      shape.edges.flatMap((edge) => edge.flatMap((vertex) => [...(shape.vertices[vertex] as Vec3)])),
-    );
+    // Of an opaque solid nobody sees the inside; a flat one has no inside.
+    this.faces.material.side = look.opacity === 1 && shape.facets.length > 2 ? FrontSide : DoubleSide;
+    const ends = new Float32Array(shape.ends.length * 3);
+    for (let end = 0; end < shape.ends.length; end += 1)
+      ends.set(shape.vertices[shape.ends[end] as number] as Vec3, 3 * end);
     const segments = new BufferGeometry();
     segments.setAttribute("position", new BufferAttribute(ends, 3));
     this.lines.geometry.dispose();

@@ -283,10 +283,19 @@ export class SpaceView {
   }
 }
 
+/** Whether pictures are drawn without a graphics card, where smooth edges cost as much time as all the rest. */
+let software: boolean | null = null;
+
 function rendererFor(canvas: HTMLCanvasElement): WebGLRenderer | null {
-  try {
-    return new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-  } catch {
-    return null;
-  }
+  software ??= isSoftware();
+  const context = canvas.getContext("webgl2", { antialias: !software });
+  return context && new WebGLRenderer({ canvas, context });
+}
+
+function isSoftware(): boolean {
+  const context = html("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name: unknown = context?.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER);
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(String(name));
 }

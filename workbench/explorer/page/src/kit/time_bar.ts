@@ -14,6 +14,7 @@ export interface Span {
 export class TimeBar {
   readonly element: HTMLElement;
   private readonly spans = html("div", { class: "spans", "aria-hidden": "true" });
+  private shown: readonly Span[] = [];
   private readonly slider = html("input", { type: "range", min: 0, max: 1, step: 0.001, "aria-label": "Time" });
 
   constructor(moved: (time: number, finished: boolean) => void) {
@@ -25,6 +26,8 @@ export class TimeBar {
   draw(time: number, spans: readonly Span[]): void {
     this.slider.value = String(time);
     this.slider.setAttribute("aria-valuetext", `time ${digits(time)}`);
+    if (this.shown === spans) return;
+    this.shown = spans;
     this.spans.replaceChildren(
       ...spans.map((span) =>
         html("span", {

@@ -2,7 +2,13 @@
 
 const FIRST = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442", "#8c6bb1"];
 
+const ZONES: string[] = [];
+
 export function zoneColour(index: number): string {
+  return (ZONES[index] ??= colourOfZone(index));
+}
+
+function colourOfZone(index: number): string {
   const round = Math.floor(index / FIRST.length);
   const colour = FIRST[index % FIRST.length] as string;
   if (round === 0) return colour;
@@ -18,7 +24,23 @@ export function zoneColour(index: number): string {
   return `#${channels.join("")}`;
 }
 
-/** The colour between two colours, as it comes about where two zones cross. */
+/** Colours of crossings that were asked for before: a body has thousands of facets, in few colours. */
+const CROSSINGS = new Map<number, string>();
+
+/** Colours that the crossings remember are of indices below it. */
+const REMEMBERED = 1000;
+
+/** The colour where zones cross, by their indices. */
+export function crossingColour(zones: readonly number[]): string {
+  const [one = 0, other = 0] = zones;
+  if (zones.length !== 2 || Math.max(one, other) >= REMEMBERED) return mixed(zones.map(zoneColour));
+  const name = one * REMEMBERED + other;
+  let known = CROSSINGS.get(name);
+  if (known === undefined) CROSSINGS.set(name, (known = mixed(zones.map(zoneColour))));
+  return known;
+}
+
+/** The colour between colours. */
 export function mixed(colours: readonly string[]): string {
   const sums = [1, 3, 5].map((at) => colours.reduce((sum, colour) => sum + parseInt(colour.slice(at, at + 2), 16), 0));
   return `#${sums

@@ -93,6 +93,8 @@ export interface Faces {
   readonly edges: readonly { readonly ends: readonly [number, number]; readonly zone: number }[];
   /** The generators of each zone: those that are parallel. */
   readonly zones: readonly (readonly number[])[];
+  /** Columns without rows, of bodies with facets: the ends of all edges one after the other. */
+  readonly flat: { readonly "edges.ends"?: ArrayLike<number> };
 }
 
 /** The faces of a body. */

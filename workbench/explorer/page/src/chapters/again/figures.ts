@@ -5,7 +5,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
-import { normalOf, Solid, type SolidShape } from "../../kit/solid";
+import { normalOf, Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { cross3, digits, dot3 } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
@@ -16,12 +16,6 @@ import { RULES, type Answers, type State } from "./state";
 
 /** The colours of the facet on which the walk stands, of its neighbours, and of facets that it has been on. */
 const [HERE, NEXT, BEEN] = ["#d55e00", "#f0e442", "#e8b48a"];
-
-const shapeOf = (faces: Faces): SolidShape => ({
-  vertices: faces.vertices,
-  facets: faces.facets,
-  edges: faces.edges.map((edge) => edge.ends),
-});
 
 export function reducedFigure(control: Control<State>): Figure<State, Answers> {
   const view = new SpaceView("A body in a body of few generators", {});
@@ -39,8 +33,8 @@ export function reducedFigure(control: Control<State>): Figure<State, Answers> {
     svg: () => view.svg(),
     draw(state, { body, around }) {
       choice.value = state.rule;
-      inner.draw(shapeOf(body), { facets: body.facets.map(() => "#0072b2"), opacity: 1, edge: "#10202c" });
-      outer.draw(shapeOf(around), { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
+      inner.draw(solidOf(body), { facets: body.facets.map(() => "#0072b2"), opacity: 1, edge: "#10202c" });
+      outer.draw(solidOf(around), { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
       view.fit([...around.vertices, ...body.vertices]);
       view.draw([]);
     },
@@ -80,7 +74,7 @@ export function walkFigure(control: Control<State>): Figure<State, Answers> {
           ? (BEEN as string)
           : mixed(["#8a94a0", ...(body.facet_zones[facet] ?? []).map(zoneColour), "#8a94a0"]);
       });
-      solid.draw(shapeOf(body), { facets: colours, opacity: 1, edge: "#20242a" });
+      solid.draw(solidOf(body), { facets: colours, opacity: 1, edge: "#20242a" });
       view.fit(body.vertices);
       view.draw([]);
       const buttons = (neighbours ?? []).map((one) => button(said(one), () => step(one), { "data-step": nameOf(one) }));
@@ -136,7 +130,7 @@ function facetNameOf(faces: Faces, facet: number, generators: readonly Vec3[]): 
   const zones = faces.facet_zones[facet] ?? [];
   const [i, j] = zones.map((zone) => faces.zones[zone]?.[0] ?? 0).sort((one, other) => one - other);
   if (zones.length !== 2 || i === undefined || j === undefined) return "";
-  const normal = normalOf(shapeOf(faces), faces.facets[facet] as readonly number[]);
+  const normal = normalOf(solidOf(faces), faces.facets[facet] as readonly number[]);
   const side = dot3(normal, cross3(generators[i] as Vec3, generators[j] as Vec3)) > 0 ? 1 : -1;
   return nameOf([i, j, side]);
 }

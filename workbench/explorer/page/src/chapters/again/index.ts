@@ -128,13 +128,19 @@ export const againChapter: Chapter<State, Answers, Late> = {
       figure: "hierarchy",
       title: "Coarse bodies decide",
       words: "While the bodies are far apart, bodies of few generators tell it.",
-      make: first,
+      make: () => ({ ...first(), at: 2 }),
     },
     {
       figure: "hierarchy",
       title: "Nearer",
       words: "When they come close, finer levels are needed.",
-      make: () => ({ ...first(), at: 22 }),
+      make: () => ({ ...first(), at: 11 }),
+    },
+    {
+      figure: "hierarchy",
+      title: "Nearly touching",
+      words: "Only the bodies themselves tell.",
+      make: () => ({ ...first(), at: 12 }),
     },
     {
       figure: "cutting",

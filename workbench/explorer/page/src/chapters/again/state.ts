@@ -8,17 +8,14 @@ import {
   cutting,
   directionTree,
   faces,
-  hierarchy,
   tiling,
   type CuttingAndImage,
   type Faces,
-  type HierarchyOfTwo,
   type Tiling,
 } from "../../library/pictures";
 import { locateMany, reduce, walk, type FacetName, type Reduced } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
-import { add3, scale3 } from "../../kit/vectors";
-import { POSITIONS } from "./hierarchy_figure";
+import { meetingAt, STEPS, type MeetingOfTwo } from "./meeting";
 
 export interface State {
   readonly generators: readonly Vec3[];
@@ -31,7 +28,7 @@ export interface State {
   readonly r: number;
   /** The direction of the question to the tree, in degrees. */
   readonly turn: number;
-  /** The position of the second body on its way. */
+  /** The step of the second body on its way. */
   readonly at: number;
 }
 
@@ -63,16 +60,6 @@ export interface Cut {
   readonly tiling: Tiling;
 }
 
-/** Two bodies, the bodies around them that decide, and the way of the second one. */
-export interface MeetingOfTwo {
-  readonly found: HierarchyOfTwo;
-  readonly body: Faces;
-  readonly other: Faces;
-  readonly around: Faces;
-  readonly aroundOther: Faces;
-  readonly way: readonly Vec3[];
-}
-
 export interface Late {
   readonly of: State;
   readonly cut: Cut;
@@ -91,7 +78,7 @@ export const MOST_PARTS = 5;
 const ORIGIN: Vec3 = [0, 0, 0];
 
 /** What the figures of prepared bodies begin with. */
-const ASIDE = { r: 2, turn: 25, at: 12 } as const;
+const ASIDE = { r: 2, turn: 25, at: 10 } as const;
 
 /** The generators of the figure of the tree. */
 export const PREPARED: readonly Vec3[] = randomGenerators(21, 600);
@@ -116,7 +103,7 @@ export function read(told: unknown): State | null {
     path: path && path.length > 0 ? path : [[0, 1, 1]],
     r: Math.round(within(object?.["r"], 1, MOST_PARTS) ?? ASIDE.r),
     turn: within(object?.["turn"], 0, 360) ?? ASIDE.turn,
-    at: Math.round(within(object?.["at"], 0, POSITIONS) ?? ASIDE.at),
+    at: Math.round(within(object?.["at"], 0, STEPS) ?? ASIDE.at),
   };
 }
 
@@ -147,32 +134,7 @@ export function questions(state: State, { ask }: Asking, late: Late | null): Ans
         : null,
     cut: late && late.of.generators === state.generators && late.of.r === state.r ? late.cut : null,
     tree: late?.tree ?? null,
-    meeting: meetingOf(state, ask),
-  };
-}
-
-/** The second body: the first with its generators lying, so that the two are not alike. */
-const lying = (v: Vec3): Vec3 => [v[2], v[0], v[1]];
-
-/** The second body passes the first one at a distance of which some positions meet. */
-function meetingOf(state: State, ask: Asking["ask"]): MeetingOfTwo {
-  const body = bodyOf(state);
-  const reach = state.generators.reduce((sum, v) => sum + Math.hypot(...v), 0);
-  const place = (at: number): Vec3 => {
-    const along = (2 * at) / POSITIONS - 1;
-    return scale3([1.5 * along, 0.25, 0.75 - 0.6 * (1 - along * along)], reach);
-  };
-  const center = place(state.at);
-  const moved: Body = { center, generators: state.generators.map(lying) };
-  const found = ask(hierarchy(body, moved)).result;
-  const shape = (of: Body): Faces => ask(faces(of)).result;
-  return {
-    found,
-    body: shape(body),
-    other: shape(moved),
-    around: shape(found.a[found.levels[0]] ?? body),
-    aroundOther: shape(found.b[found.levels[1]] ?? moved),
-    way: Array.from({ length: POSITIONS + 1 }, (_, at) => add3(ORIGIN, place(at))),
+    meeting: meetingAt(state.at, ask),
   };
 }
 

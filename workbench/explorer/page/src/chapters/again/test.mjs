@@ -41,13 +41,27 @@ export async function test(opened, library) {
   const finer = library.ask("picture", "cutting", { generators, r: 3 });
   same(await opened.read("crossing"), finer.limit, "lines that cross a trapezoid");
   holds((await opened.read("crossed")) < (await opened.read("leaves")), "some leaves stay closed");
-  const told = [];
-  for (let press = 0; press < 8; press += 1) {
-    await page.getByRole("group", { name: "The second body on its way" }).getByLabel("One step on").click();
-    await opened.rest();
-    told.push(await page.getByRole("group", { name: "The second body on its way" }).locator(".told").innerText());
+
+  // On its way the second body is told apart from the first, and found in it, by each of the levels.
+  const flight = page.getByRole("group", { name: "The second body on its way" });
+  const before = (await opened.state()).at;
+  await flight.getByLabel("One step on").click();
+  await opened.rest();
+  same((await opened.state()).at, before + 1, "the place on the way after a step");
+  const levels = (await opened.read("levels")).split(", ");
+  holds(levels.length > 2, `the bodies have the levels ${levels}`);
+  const told = new Set();
+  for (let at = 0; at <= 30; at += 1) {
+    await flight.getByLabel("Step", { exact: true }).fill(String(at));
+    await opened.drawn();
+    const [, status, level] = /^They (are apart|overlap).* (\d+) generators/.exec(
+      await flight.locator(".told").innerText(),
+    );
+    told.add(`${status} ${level}`);
   }
-  holds(new Set(told).size > 1, `the levels stay the same: ${told[0]}`);
+  for (const level of levels)
+    for (const status of ["are apart", "overlap"])
+      holds(told.has(`${status} ${level}`), `no place on the way has ${status} ${level}: ${[...told].join("; ")}`);
 
   same(await opened.exercise("shared", "1"), true, "the exercise on neighbours");
   same(await opened.exercise("shared", "2"), false, "the exercise on neighbours, answered wrongly");

@@ -2,7 +2,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { html } from "../../kit/elements";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { Stepper } from "../../kit/stepper";
 import { add3, digits, length3, place3 } from "../../kit/vectors";
@@ -28,8 +28,7 @@ export function rivalFigure(control: Control<State>): Figure<State, Answers> {
         return;
       }
       const colours = sum.facets.map(() => "#7a8794");
-      const edges = sum.edges.map((edge) => edge.ends);
-      solid.draw({ ...sum, edges }, { facets: colours, opacity: OPACITY, edge: "#7a8794" });
+      solid.draw(solidOf(sum), { facets: colours, opacity: OPACITY, edge: "#7a8794" });
       view.fit([state.point, ...sum.vertices]);
       const now = Math.min(state.rivalStep, belief.steps.length - 1);
       const seen = belief.steps.slice(0, now + 1);

@@ -2,9 +2,9 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { drawPlane } from "../../kit/separating_plane";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { dot3, length3, place3, scale3, tidy3 } from "../../kit/vectors";
+import { add3, dot3, length3, place3, scale3, tidy3 } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
 import type { Faces } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
@@ -32,12 +32,8 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
     draw(state, answers) {
       draw(body, answers.body, "#0072b2");
       draw(other, answers.other, "#e69f00");
-      const places: Vec3[] = [
-        [0, 0, 0],
-        state.point,
-        ...(answers.body?.vertices ?? []),
-        ...(answers.other?.vertices ?? []),
-      ];
+      other.place((vertex) => add3(vertex, state.point));
+      const places: Vec3[] = [[0, 0, 0], state.point, ...(answers.body?.vertices ?? []), ...other.shape.vertices];
       const reach = Math.max(...places.map(length3));
       const u = direction(answers);
       drawGap(plane, state, u, reach);
@@ -67,9 +63,10 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
 
 function draw(solid: Solid, faces: Faces | null, colour: string): void {
   if (!faces) return solid.clear();
-  const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
-  const shape = { vertices: faces.vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) };
-  solid.draw(shape, { facets: colours, opacity: OPACITY, edge: colour });
+  solid.drawFrom(faces, () => {
+    const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
+    return [solidOf(faces), { facets: colours, opacity: OPACITY, edge: colour }];
+  });
 }
 
 /** The plane in the middle of the gap; of two bodies, that between the first and the second where it stands. */

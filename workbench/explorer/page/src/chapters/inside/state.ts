@@ -63,6 +63,7 @@ export interface Answers {
   /** The body of both generators, where it is drawn. */
   readonly sum: Faces | null;
   readonly body: Faces | null;
+  /** The second body, with its centre in the origin. */
   readonly other: Faces | null;
   readonly late: Late | null;
 }
@@ -154,7 +155,7 @@ export function questions(state: State, asking: Asking, late: Late | null): Answ
     gauge: state.many === 0 ? asking.ask(gauge(state.point, body)).result : (current?.gauge ?? null),
     sum: facesOf(body.generators, asking),
     body: facesOf(generatorsOf(state), asking),
-    other: other && { ...other, vertices: other.vertices.map((vertex) => add3(vertex, state.point)) },
+    other,
     late: current,
   };
 }

@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
 import { bodyAt, placeAt, turned } from "../../kit/placement";
 import { drawPlane } from "../../kit/separating_plane";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { TimeBar, type Span } from "../../kit/time_bar";
 import { add3, cross3, digits, dot3, length3, place3, scale3, sub3, tidy3 } from "../../kit/vectors";
@@ -12,7 +12,7 @@ import { mixed, zoneColour } from "../../kit/zone_colours";
 import type { Faces } from "../../library/pictures";
 import type { Interval, Motion } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
-import type { Answers, State } from "./state";
+import type { Answers, Scene, State } from "./state";
 
 /** Seconds that the whole step takes when it plays. */
 const DURATION = 5;
@@ -49,6 +49,11 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
     (finished ? control.commit : control.change)({ ...control.state, time });
   });
   const told = html("p", { class: "told" });
+  let shown: {
+    readonly scene: Scene;
+    readonly collision: Answers["collision"];
+    readonly spans: readonly Span[];
+  } | null = null;
   let playing = 0;
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const tenth = () =>
@@ -83,12 +88,16 @@ export function motionFigure(control: Control<State>): Figure<State, Answers> {
       const [a, b] = [bodyAt(scene.a, scene.moves.a, time), bodyAt(scene.b, scene.moves.b, time)];
       drawPlaced(first, answers.a, scene.moves.a, time, "#0072b2");
       drawPlaced(second, answers.b, scene.moves.b, time, "#e69f00");
-      view.fit([...way(scene.a, scene.moves.a, answers.a), ...way(scene.b, scene.moves.b, answers.b)]);
+      // While the motion plays only the time changes: what belongs to the whole step stays.
+      if (shown?.scene !== scene || shown.collision !== answers.collision) {
+        shown = { scene, collision: answers.collision, spans: spans(answers) };
+        view.fit([...way(scene.a, scene.moves.a, answers.a), ...way(scene.b, scene.moves.b, answers.b)]);
+      }
       const { intervals } = answers.collision.result.certificate;
       const interval = intervals.find((one) => one.from <= time && time <= one.to) ?? null;
       const u = interval && directionAt(interval, scene.moves, time);
       drawGap(plane, u, a, b);
-      bar.draw(time, spans(answers));
+      bar.draw(time, shown.spans);
       told.textContent = sentence(state, answers, interval, u, a, b);
       view.draw([
         { id: "a", at: a.center, label: `The first body, at ${place3(a.center)}`, look: "query", name: "A" },
@@ -176,14 +185,17 @@ export function drawPlaced(
   motion: Motion,
   time: number,
   colour: string,
-  opacity = 0.9,
+  opacity = 1,
 ): void {
-  const vertices = faces.vertices.map((vertex) => placeAt(vertex, motion, time));
-  const colours = faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)]));
-  solid.draw(
-    { vertices, facets: faces.facets, edges: faces.edges.map((edge) => edge.ends) },
-    { facets: colours, opacity, edge: "#20242a" },
-  );
+  solid.drawFrom(faces, () => [
+    solidOf(faces),
+    {
+      facets: faces.facet_zones.map((zones) => mixed([colour, colour, ...zones.map(zoneColour)])),
+      opacity,
+      edge: "#20242a",
+    },
+  ]);
+  solid.place((point) => placeAt(point, motion, time));
 }
 
 /** The plane in the middle of the gap between two bodies. */

@@ -2,7 +2,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { html } from "../../kit/elements";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { digits } from "../../kit/vectors";
 import { drawPlaced } from "./motion_figure";
@@ -51,8 +51,7 @@ export function sweptFigure(control: Control<State>): Figure<State, Answers> {
       if (drawn?.around === around && drawn.a === a && drawn.late === late) return;
       drawn = { a, around, late };
       choice.value = state.method;
-      const shape = { vertices: around.vertices, facets: around.facets, edges: around.edges.map((edge) => edge.ends) };
-      outer.draw(shape, { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
+      outer.draw(solidOf(around), { facets: around.facets.map(() => "#cc79a7"), opacity: 0.25, edge: "#a8457f" });
       copies.forEach((copy, index) => drawPlaced(copy, a, state.scene.moves.a, index / (COPIES - 1), "#0072b2", 0.8));
       view.fit(around.vertices);
       view.draw([]);

@@ -71,7 +71,7 @@ export async function test(opened, library) {
   let count = 0;
   while (!(await on.isDisabled()) && count < 60) {
     await on.click();
-    await page.waitForTimeout(60);
+    await opened.drawn();
     count += 1;
   }
   holds(/neither side|candidates left: 0/.test(await steps.innerText()), `the search ends: ${await steps.innerText()}`);

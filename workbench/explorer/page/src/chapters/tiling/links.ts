@@ -11,10 +11,6 @@ export function classColour(tiling: Tiling, index: number): string {
   return zoneColour(tiling.classes[index]?.generators[0] ?? 0);
 }
 
-export function facetColours(faces: Faces, zone: number): string {
-  return zoneColour(faces.zones[zone]?.[0] ?? 0);
-}
-
 /** The tile of a facet, or null for facets of the lower hull and vertical ones. */
 export function tileOfFacet(tiling: Tiling, facet: number): number | null {
   const found = tiling.tiles.findIndex((tile) => tile.facet === facet);

@@ -1,13 +1,13 @@
 /** The view of the zonohedron, with its generators as arrows that can be pulled. */
 
 import type { Control, Figure } from "../../kit/chapter";
-import { Solid } from "../../kit/solid";
+import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
 import { add3, place3, tidy3 } from "../../kit/vectors";
-import { mixed } from "../../kit/zone_colours";
+import { crossingColour } from "../../kit/zone_colours";
 import type { Faces, Tiling } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
-import { facetColours, litTiles, separator, tileOfFacet, vertexOfCorner } from "./links";
+import { litTiles, separator, tileOfFacet, vertexOfCorner } from "./links";
 import { stepLit } from "./lighting";
 import type { Answers, State } from "./state";
 
@@ -58,13 +58,9 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
       if (faces) {
         const lit = new Set([...(tiling ? litTiles(tiling, state.lit) : [])].map((tile) => tiling?.tiles[tile]?.facet));
         const colours = faces.facet_zones.map((zones, facet) =>
-          lit.has(facet) ? LIT : mixed(zones.map((zone) => facetColours(faces, zone))),
+          lit.has(facet) ? LIT : crossingColour(zones.map((zone) => faces.zones[zone]?.[0] ?? 0)),
         );
-        const edges = faces.edges.map((edge) => edge.ends);
-        solid.draw(
-          { vertices: faces.vertices, facets: faces.facets, edges },
-          { facets: colours, opacity: 1, edge: "#20242a" },
-        );
+        solid.draw(solidOf(faces), { facets: colours, opacity: 1, edge: "#20242a" });
         view.fit([...faces.vertices, ...state.generators]);
         if (tiling)
           lines.push({

@@ -39,7 +39,7 @@ export async function test(opened, library) {
   await tile.scrollIntoViewIfNeeded();
   const box = await tile.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await page.waitForTimeout(200);
+  await opened.drawn();
   holds((await tile.getAttribute("class")).includes("lit"), "the tile is lit up");
   same(
     await page.locator("#tiling-arrangement .crossings circle").nth(5).getAttribute("r"),
@@ -50,7 +50,7 @@ export async function test(opened, library) {
   // Keys go from tile to tile.
   await page.locator("#tiling-tiling svg").focus();
   await page.keyboard.press("ArrowRight");
-  await page.waitForTimeout(200);
+  await opened.drawn();
   holds(
     (await page.locator("#tiling-tiling .tile").nth(6).getAttribute("class")).includes("lit"),
     "the key lights up the next tile",
