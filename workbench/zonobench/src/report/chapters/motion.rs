@@ -62,9 +62,9 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let share = |method| Some(words::percent(missed(method, "missed")? / missed(method, "collisions")?));
     Some(format!(
         "At a clearance of one thousandth the median motion of motion-strength is proved free by {} stretches of time \
-         with one direction each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as many. Of the \
-         collisions of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and samples contradict \
-         {} of the answers by control points.",
+         with one direction each, family by family, where the volumes of Theorem 6.1 take {}: some {factor} times as \
+         many. Of the collisions of fast and crafted motions sampling misses {}, hulls of end poses miss {}, and \
+         samples contradict {} of the answers by control points.",
         numbers(&own)?,
         numbers(&papers)?,
         share("by_sampling")?,
