@@ -35,6 +35,18 @@ fn a_bar_that_turns_beside_a_cube() {
     }
     let at_start = collide(&["--translation", "0,0,1", "--move-b", "0,-3,0"]);
     assert!(at_start.contains("answer        a and b meet at the start\n"), "{at_start}");
+    // no doubles hold the images of a body that is turned by thirty degrees
+    let poses = ["--turn", "z,30", "--move", "0.1,0,0", "--turn-b", "z,10", "--move-b", "0,0.1,0"];
+    let posed = collide(&[&poses[..], &in_degrees].concat());
+    assert!(
+        posed.contains("a, rounded    the body under the pose is taken in doubles, no point of it farther "),
+        "{posed}"
+    );
+    assert!(
+        posed.contains("b, rounded    the body under the pose is taken in doubles, no point of it farther "),
+        "{posed}"
+    );
+    assert!(posed.contains("certificate   checked: "), "{posed}");
     let both = collide(&[
         "--translation",
         "0,0,1",

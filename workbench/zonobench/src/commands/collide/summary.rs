@@ -5,15 +5,15 @@ use serde_json::Value;
 use super::options::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
 use crate::commands::motion::turn_in_words;
-use crate::commands::placing::describe;
+use crate::commands::placing::{describe, rounded_in_words};
 use crate::commands::table::{Table, at_most, counted, in_full, tuple, with_six_digits};
-use crate::input::Placed;
+use crate::input::{Placed, RoundedBody};
 use batch::Verdict;
 
 /// The answer with its proof in a few lines.
 pub(super) fn summary(
     options: &Options,
-    bodies: &[Placed; 2],
+    (bodies, rounded): (&[Placed; 2], &[RoundedBody; 2]),
     motion: &Value,
     asked: &Asked,
     verdict: &Verdict,
@@ -21,8 +21,10 @@ pub(super) fn summary(
     let result = asked.result();
     let mut table = Table::default();
     describe(&mut table, ["a", "pose of a"], &bodies[0], &options.a);
+    add_rounding(&mut table, "a, rounded", &rounded[0]);
     table.row("motion of a", in_words(&motion["a"]));
     describe(&mut table, ["b", "pose of b"], &bodies[1], &options.b);
+    add_rounding(&mut table, "b, rounded", &rounded[1]);
     table.row("motion of b", in_words(&motion["b"]));
     let time = floats(&result["time"]);
     let status = result["status"].as_str().unwrap_or_default();
@@ -46,6 +48,13 @@ pub(super) fn summary(
     table.row("method", asked.answer["method"].as_str().unwrap_or_default().to_owned());
     table.row("verify", how_to_verify(&[&options.a, &options.b], options.question.as_ref(), options.json.as_ref()));
     table.text()
+}
+
+/// The row on a body whose image was rounded.
+fn add_rounding(table: &mut Table, name: &str, rounded: &RoundedBody) {
+    if rounded.off > 0.0 {
+        table.row(name, rounded_in_words(rounded.off));
+    }
 }
 
 fn answer(status: &str, time: &[f64]) -> String {
