@@ -13,8 +13,8 @@ use zonotope::zonotope::Zonotope;
 pub const FIGURE: Figure = Figure {
     id: "mesh-in-hierarchy",
     title: "A mesh inside the levels of its hierarchies",
-    caption: "A spider in the bounding volumes of three levels of a tree over its triangles: above, boxes that a search \
-              turns, below, zonotopes of at most six generators. Trees are the same; each volume contains the \
+    caption: "A spider in the bounding volumes of three levels of a tree over its triangles: above, boxes that a \
+              search turns, below, zonotopes of at most six generators. Trees are the same; each volume contains the \
               triangles of its node, exactly.",
     claims: &["question-hierarchies"],
     experiments: &[],

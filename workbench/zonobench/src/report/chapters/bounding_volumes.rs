@@ -14,7 +14,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Two meshes of triangles stand in space. A tree over the triangles of each has a simple body around \
         those below each node; where two bodies are disjoint, their triangles are. Which body is worth its test?",
     lesson,
-    pictures: &["mesh-in-hierarchy", "mesh-node-tests"],
+    pictures: &["mesh-in-hierarchy"],
     table: ChapterTable::ValuesOn(COUNTS.id, "bumps"),
     method: &[
         "The tree is the same for all volumes. A zonotope of few generators is fitted to each node so that few of its \

@@ -13,7 +13,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Two bodies turn and translate during a step of time. Do they meet, and when first, so that no \
         collision between two looks at them is missed?",
     lesson,
-    pictures: &["motion-time-bar", "paper-figure-3"],
+    pictures: &["motion-time-bar"],
     table: ChapterTable::Growth,
     method: &[
         "The paper's volume: the ways of all vertices of a turning body lie in a circle through the farthest one's \

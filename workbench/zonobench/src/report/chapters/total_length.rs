@@ -15,7 +15,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Given points in two, three, four or more dimensions, which zonotope around them has generators of \
         the least total length: along given directions, or along any?",
     lesson,
-    pictures: &["mesh-in-zonohedra"],
+    pictures: &["few-generators"],
     table: ChapterTable::Values("enclosing-quality"),
     method: &[
         "Along k given directions it is a linear program. The paper's has a coefficient for every direction and \
