@@ -24,9 +24,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "A test of two zonotopes goes along the facet normals of both, several at a time. It may take two disjoint \
          zonotopes for overlapping ones, never the other way round; pairs of triangles are decided exactly, so answers \
          are the same whatever the volume is.",
-        "Where zonotopes pay is measured, mesh by mesh: the sentences above and below are made from the record. At \
-         leaves they gain little, since no body with a centre is tight around a triangle. A test of many generators \
-         takes longer than one of a box, so fewer tests need not be less time: the times are in the other page.",
+        "Where zonotopes pay, the record says mesh by mesh: the sentences above and below are made from it. At leaves \
+         they gain little, since no body with a centre is tight around a triangle. A test of many generators takes \
+         longer than one of a box, so fewer tests need not be less time: the times are in the other page.",
     ],
     costs: &[Cost {
         text: "The paper: O(n^(d−1)) faces of n generators, all of which a test of two nodes may try.",
