@@ -98,7 +98,7 @@ impl Arc<f64> {
         transposed_image(&polar_rotation(&middle, &middle), u)
     }
 
-    /// Where a point of the body is at the middle of the stretch.
+    /// The place of a point of the body at the middle of the stretch.
     pub(super) fn middle_of(&self, x: &[f64; 3]) -> [f64; 3] {
         let middle = sum(&self.turns[0], &self.turns[1]);
         let (turned, square) = (image(&polar_rotation(&middle, &middle), &self.arm_of(x)), dot(&middle, &middle));

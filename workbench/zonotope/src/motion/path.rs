@@ -44,7 +44,7 @@ pub struct MotionPiece {
     pub to: [f64; 4],
     /// The point p of the axis.
     pub axis_point: [f64; 3],
-    /// How far the body has gone at the end of the part.
+    /// The translation of the body at the end of the part.
     pub translation: [f64; 3],
 }
 

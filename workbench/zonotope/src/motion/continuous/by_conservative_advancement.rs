@@ -96,8 +96,8 @@ fn advanced(scene: &Scene<'_>, resolution: f64, tally: &mut dyn Tally) -> FirstC
     FirstContact::Separate { free }
 }
 
-/// How long the bodies stay disjoint for certain, from a time on and not beyond another, and the direction that
-/// separates them until then.
+/// The time for which the bodies stay disjoint for certain, from a time on and not beyond another, and the direction
+/// that separates them until then.
 fn step(scene: &Scene<'_>, [from, end]: [f64; 2], tally: &mut dyn Tally) -> Option<(f64, SeparatingDirection)> {
     let proximity = scene.proximity_at(from, tally)?;
     let u = proximity.gap()?.direction();

@@ -37,7 +37,7 @@ pub(super) type Matrix<T> = [[T; 3]; 3];
 pub(super) struct Stretch<'a, T> {
     pub(super) bodies: [Body<'a>; 2],
     pub(super) arcs: [Arc<T>; 2],
-    /// How far the points of each body may be from their places on the stretch.
+    /// A bound of the distance of the points of each body from their places on the stretch.
     pub(super) margins: [Margin; 2],
     /// |q_a|² and |q_b|².
     pub(super) squares: [[T; 3]; 2],
@@ -69,7 +69,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         }
     }
 
-    /// How much less the gap along a direction may be than on the stretch.
+    /// A bound of the part of the gap along a direction that the stretch shows too much.
     pub(super) fn margin_along(&self, direction: &SeparatingDirection) -> f64 {
         margin::along(&self.margins, direction)
     }
@@ -79,7 +79,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
         self.seen.get_or_init(|| self.arcs[0].rotations_seen(&self.arcs[1]))
     }
 
-    /// How many values of support functions the bound along a direction is made of.
+    /// The number of values of support functions in the bound along a direction.
     pub(super) fn support_evaluations(&self, direction: &SeparatingDirection) -> u64 {
         match direction {
             SeparatingDirection::Space(_) => self.arcs.iter().map(|arc| if arc.is_translation { 1 } else { 3 }).sum(),
@@ -185,7 +185,7 @@ impl<'a, T: Scalar> Stretch<'a, T> {
 }
 
 impl Stretch<'_, Bounded> {
-    /// How fast the bodies turn and go.
+    /// The rates at which the bodies turn and go.
     pub(super) fn rates(&self) -> [Rates; 2] {
         [0, 1].map(|i| Rates::of(&self.arcs[i].rounded(), &self.bodies[i]))
     }

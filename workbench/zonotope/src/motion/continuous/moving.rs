@@ -100,7 +100,7 @@ impl<'a> Moving<'a> {
         exact.gap_along(direction).iter().all(|c| c.sign().is_gt())
     }
 
-    /// How far points of each body may be off their places on a stretch, where these have their time.
+    /// A bound of the distance of points of each body from their places on a stretch, where these have their time.
     fn margins(&self, times: [f64; 2]) -> [Margin; 2] {
         [0, 1].map(|i| match self.motions[i].angle_off(times) {
             angle if angle == 0.0 || (angle.is_finite() && self.clock == Clock::Free) => Margin::NONE,

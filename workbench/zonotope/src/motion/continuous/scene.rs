@@ -21,7 +21,7 @@ pub(super) struct Scene<'a> {
     zonotopes: [&'a Zonotope<3>; 2],
 }
 
-/// How two bodies stand at a time that they are not proved to meet at.
+/// The direction that separates two bodies at a time; none where none was found.
 pub(super) type Apart = Option<SeparatingDirection>;
 
 impl<'a> Scene<'a> {
@@ -54,7 +54,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// How near the bodies are at a time, as they are rounded then; `None` where that leaves the range of doubles.
+    /// The distance of the bodies at a time, as they are rounded then; `None` where that leaves the range of doubles.
     pub(super) fn proximity_at(&self, time: f64, tally: &mut dyn Tally) -> Option<Proximity<3>> {
         self.with_query(time, tally, |query, counts| proximity(query, counts))
     }

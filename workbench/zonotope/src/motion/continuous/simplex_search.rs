@@ -21,7 +21,7 @@ pub(super) struct Lowest {
     pub(super) is_found: bool,
 }
 
-/// How a search ends.
+/// The end of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Search {
     /// A direction that is looked for.

@@ -7,11 +7,11 @@
 //! Section 6. Departure: the arcs of the generators are enclosed, not those of the vertices.
 //!
 //! # Method
-//! Let v be a generator turned halfway, v∥ and v⊥ its parts along the axis and orthogonal to it, J the quarter turn, α
-//! an
-//! angle of at most half of θ and c the cosine of that. R(α) v = v∥ + cos α v⊥ + sin α J v⊥, and cos α lies in [c, 1].
-//! So
-//! the segment of v, turned, lies in the sum of the segments of v∥ + ½ (1 + c) v⊥, ½ (1 − c) v⊥ and sin(θ/2) J v⊥; the
+//! Let v be a generator turned halfway, v∥ and v⊥ its parts along the axis and orthogonal to it, J the quarter turn.
+//! Let α be an angle of at most half of θ and c the cosine of that.
+//! Then R(α) v = v∥ + cos α v⊥ + sin α J v⊥, and cos α lies in [c, 1].
+//! The segment of v, turned, therefore lies in a sum of three segments:
+//! of v∥ + ½ (1 + c) v⊥, of ½ (1 − c) v⊥ and of sin(θ/2) J v⊥; the
 //! centre moves likewise, and its first part does not vary. From θ = π on the largest sine is 1.
 //!
 //! # Complexity

@@ -16,8 +16,8 @@ const FLAT: f64 = 0.02;
 /// A program whose answer leaves points farther outside than this has failed.
 const LARGEST_MISS: f64 = 1e-6;
 
-/// What a covering is to have little of: a sum of V1 V2 and V3, in intrinsic volumes, the mean width, half the surface
-/// and the volume, each with a factor.
+/// The aim of a covering, which is to be small: a sum of V1 V2 and V3, each with a factor, in intrinsic volumes: the
+/// mean width, half the surface and the volume.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Aim {
     pub(super) of_surface: f64,
@@ -42,7 +42,7 @@ pub(super) struct Covering {
 }
 
 impl Covering {
-    /// How much of the aim it has.
+    /// The value of its aim.
     pub(super) fn value(&self) -> f64 {
         let sums = Sums::of(&self.directions, &self.half_lengths);
         self.aim.of_surface * sums.length * sums.area + self.aim.of_volume * sums.volume

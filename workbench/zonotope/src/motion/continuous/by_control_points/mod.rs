@@ -116,7 +116,7 @@ struct Open {
     hints: [Apart; 2],
     /// Whether the bodies seem to meet at its end.
     meets: bool,
-    /// How often it was cut off where the gap was expected to vanish.
+    /// The number of times that it was cut off where the gap was expected to vanish.
     cuts: u8,
 }
 
@@ -263,7 +263,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// What became of a stretch.
+/// The decision about a stretch.
 enum Decided {
     /// It is proved, or cut in pieces.
     Not,
@@ -273,7 +273,7 @@ enum Decided {
     Grazing,
 }
 
-/// How bodies stand at a time, not proved.
+/// The place of two bodies at a time beside each other, not proved.
 enum Look {
     /// They seem to meet.
     Meets,

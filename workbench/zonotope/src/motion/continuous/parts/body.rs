@@ -65,7 +65,7 @@ impl<'a> Body<'a> {
         self.generators.iter().copied().chain(between).collect()
     }
 
-    /// How far the body reaches from its centre on one side, for each direction: Σ |u · g|, and the largest u · p.
+    /// The reach of the body from its centre on one side, for each direction: Σ |u · g|, and the largest u · p.
     pub(in crate::motion::continuous) fn reaches<T: Scalar, const K: usize>(
         &self,
         side: Side,

@@ -1,4 +1,4 @@
-//! How far a rotation at constant rate is off the stretch that encloses it, along a direction.
+//! The distance of a rotation at constant rate from the stretch that encloses it, along a direction.
 //!
 //! A turn by an angle that is off moves a point across the axis, by at most that angle times its distance from the
 //! axis. Along a direction u it moves by at most |u × a| of that, a the unit vector of the axis: nothing along the

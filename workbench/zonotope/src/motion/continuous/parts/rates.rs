@@ -1,4 +1,4 @@
-//! How fast a body turns on a stretch, and how far its points are from the axis: bounds in doubles.
+//! The rate at which a body turns on a stretch, and the distance of its points from the axis: bounds in doubles.
 //!
 //! q(s) = (1 − s) q0 + s q1 turns about one axis by twice the angle between the quaternions. The rate is
 //! ω = 2 |q0| |q1| sin φ / |q|², φ the angle between q0 and q1, and its change is ω (|q|²)' / |q|², where (|q|²)' is
@@ -26,7 +26,7 @@ pub(in crate::motion::continuous) struct Rates {
     pub(in crate::motion::continuous) change: f64,
     /// Σ |v⊥| over the generators, and |c⊥| of the centre from the base.
     pub(in crate::motion::continuous) reach: f64,
-    /// How far the base goes.
+    /// The way of the base.
     pub(in crate::motion::continuous) travel: [f64; 3],
 }
 
@@ -71,7 +71,7 @@ impl Rates {
         Self { axis: unit(axis), angle: 2.0 * libm::atan(sine / w.max(0.0)), rate, change, reach, travel: still.travel }
     }
 
-    /// How fast a point of the body goes along a unit direction beside the base, at most.
+    /// A bound of the speed of a point of the body along a unit direction, beside that of the base.
     pub(in crate::motion::continuous) fn speed_along(&self, u: &[f64; 3]) -> f64 {
         self.rate * self.reach * self.off_axis(u)
     }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Samples of a motion.
 const SAMPLES: u32 = 96;
 
-/// How many motions a run draws, of those that a long one draws.
+/// The number of motions that a run draws, of those that a long one draws.
 fn cases(long_run: u32) -> u32 {
     crate::property_cases::config(long_run).cases
 }
