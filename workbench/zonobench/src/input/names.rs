@@ -1,5 +1,8 @@
 //! The columns of coordinates, by their names or numbers.
 
+mod alike;
+
+use self::alike::of_alike_names;
 use super::columns::{Column, Columns};
 use super::error::Problem;
 use super::points::Wanted;
@@ -70,11 +73,17 @@ fn bare(name: &str) -> String {
     }
 }
 
-/// The columns that are named as coordinates, if there are any, as they stand or without units and words that say that
-/// they are coordinates; capitals do not matter.
+/// The columns that are named as coordinates, if there are any, as they stand, without units and words that say that
+/// they are coordinates, or alike but for the coordinate; capitals do not matter.
 pub(super) fn of_coordinates(names: &[String], wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
-    match of_plain_names(names, wanted)? {
-        None => of_plain_names(&names.iter().map(|name| bare(name)).collect::<Vec<_>>(), wanted),
+    if let Some(columns) = of_plain_names(names, wanted)? {
+        return Ok(Some(columns));
+    }
+    if let Some(columns) = of_plain_names(&names.iter().map(|name| bare(name)).collect::<Vec<_>>(), wanted)? {
+        return Ok(Some(columns));
+    }
+    match of_alike_names(names) {
+        Some(columns) if columns.len() == 3 && wanted == Wanted::Planar => Err(Problem::ThirdCoordinate),
         columns => Ok(columns),
     }
 }
@@ -95,7 +104,7 @@ fn of_plain_names(names: &[String], wanted: Wanted) -> Result<Option<Vec<usize>>
 /// Whether some names are those of two coordinates.
 pub(super) fn are_coordinates(names: &[String]) -> bool {
     let are = |names: &[String]| KNOWN_NAMES.iter().any(|pair| pair.iter().all(|name| position(names, name).is_some()));
-    are(names) || are(&names.iter().map(|name| bare(name)).collect::<Vec<_>>())
+    are(names) || are(&names.iter().map(|name| bare(name)).collect::<Vec<_>>()) || of_alike_names(names).is_some()
 }
 
 /// Names of columns that number or weigh the rows of a table.
@@ -139,13 +148,20 @@ impl Vectors {
     }
 }
 
-/// The remark on columns under names that count down, such as `b, a` or `col2, col1`, and that are no names of
-/// coordinates: they are read as they stand.
+/// Names of the second coordinate before the first: numbers of rows and columns, and parts of complex numbers.
+const REVERSED: [[&str; 2]; 4] = [["row", "col"], ["row", "column"], ["imag", "real"], ["im", "re"]];
+
+/// The remark on columns under names that count down, such as `b, a` or `col2, col1`, or that stand for a point in the
+/// reverse order, and that are no names of coordinates: they are read as they stand.
 pub(super) fn in_another_order(names: &[String]) -> Option<String> {
     let lower: Vec<String> = names.iter().map(|name| name.trim().to_lowercase()).collect();
     let is_filled = lower.len() > 1 && lower.iter().all(|name| !name.is_empty());
     if !is_filled || are_coordinates(names) {
         return None;
+    }
+    let in_words = || format!("the columns {} are read in the order in which they stand", names.join(", "));
+    if REVERSED.iter().any(|pair| pair.iter().eq(&lower)) {
+        return Some(in_words());
     }
     // The letters that all names begin with, digits apart.
     let letters = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
@@ -160,7 +176,7 @@ pub(super) fn in_another_order(names: &[String]) -> Option<String> {
         _ => return None,
     };
     let is_in_order = places.is_sorted() || places.len() != names.len();
-    (!is_in_order).then(|| format!("the columns {} are read in the order in which they stand", names.join(", ")))
+    (!is_in_order).then(in_words)
 }
 
 /// The columns of vectors under these names: none that numbers or weighs the rows, and those of coordinates in their
