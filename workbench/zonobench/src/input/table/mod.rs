@@ -4,6 +4,7 @@ mod advice;
 mod counting;
 mod decimals;
 mod header;
+mod properties;
 mod rows;
 mod separator;
 mod start;

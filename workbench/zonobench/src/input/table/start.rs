@@ -6,6 +6,7 @@ use std::path::Path;
 use csv::ByteRecord;
 
 use super::header::{has_number, holds_names, is_nameless, is_no_name, is_text, lone_count, numbers_columns};
+use super::properties::columns_beside_positions;
 use super::rows::{cells, parsed};
 use super::text::Text;
 use crate::input::error::{InputError, Place, Problem};
@@ -44,6 +45,8 @@ pub(super) struct Start {
     pub(super) nameless_in_words: Vec<String>,
     /// Whether the first column has the atomic numbers of a list of atoms.
     has_elements: bool,
+    /// Whether the title of a list of atoms says which columns are positions.
+    has_properties: bool,
     /// The rows that were left out.
     pub(super) left_out: Vec<String>,
     /// A first row that is read as data, though it may be something else.
@@ -79,23 +82,26 @@ impl Start {
         // Lists of atoms have a title behind the count, which may be empty.
         let has_title = counted.is_some_and(|counted| text.rows().count() as u64 == counted.saturating_add(2));
         let is_apart = second.as_ref().is_some_and(|second| text.line(second) > text.line(&first) + 1);
-        let mut has_elements = false;
+        let (mut has_elements, mut has_properties) = (false, false);
         if let Some(counted) = counted
             && let Some(row) = second.take_if(|row| has_title || holds_several(row))
         {
             left_out.push(format!("the first row, which counts {counted} points"));
             (first, second, count) = (row, next()?, Some(counted));
             before_second += 1;
+            let mut beside = None;
             if has_title && let Some(row) = second.take() {
+                let line = text.line(&first);
+                beside = columns_beside_positions(&first).map_err(|problem| problem.at(file, Place::Line(line)))?;
                 left_out.push("the second row, a title".to_owned());
                 (first, second) = (row, next()?);
                 before_second += 1;
             }
-            has_elements = (has_title || is_apart)
+            has_properties = beside.is_some();
+            has_elements = !has_properties
+                && (has_title || is_apart)
                 && numbers_elements(&first, text.rows().skip(before_second).map_while(Result::ok));
-            if has_elements {
-                nameless = vec![0];
-            }
+            nameless = beside.unwrap_or_else(|| if has_elements { vec![0] } else { Vec::new() });
         } else if use_of != Use::Told
             && let Some((sizes, others)) = sizes(text, &first)
         {
@@ -121,6 +127,7 @@ impl Start {
             nameless,
             nameless_in_words: Vec::new(),
             has_elements,
+            has_properties,
             left_out,
             in_doubt: None,
             before_second,
@@ -223,6 +230,7 @@ impl Start {
             let in_words = |&column: &usize| match column {
                 0 if self.has_elements => "column 1, the atomic numbers".to_owned(),
                 0 if self.counts_rows(text) => "column 1, which counts the rows".to_owned(),
+                _ if self.has_properties => format!("column {}, beside the positions", column + 1),
                 _ => format!("column {}, which has no name", column + 1),
             };
             self.nameless_in_words = nameless.iter().map(in_words).collect();
