@@ -129,10 +129,11 @@ impl<'a> Table<'a> {
     fn numbers(mut self, order: Order) -> Result<Rows, InputError> {
         let text = self.text;
         let mut records = text.rows();
-        let Some(start) = Start::read(self.file, text, &mut records, Use::Vectors)? else {
+        let Some(mut start) = Start::read(self.file, text, &mut records, Use::Vectors)? else {
             return Ok(Rows::default());
         };
         self.width = start.width;
+        let taken = start.taken_for_sizes.take();
         let Start { first, second, count, is_numbered, nameless, nameless_in_words, left_out, in_doubt, .. } = start;
         let mut columns: Vec<usize> = (0..self.width).filter(|column| !nameless.contains(column)).collect();
         let is_header = is_numbered || opening(&first, &columns) == Opening::Header;
@@ -161,7 +162,7 @@ impl<'a> Table<'a> {
         let comments = text.left_out();
         let left_out = left_out.into_iter().chain(nameless_in_words).chain(comments);
         let read = in_doubt.map(|RowInDoubt { in_words, .. }| in_words);
-        let mut notes: Vec<String> = read.into_iter().collect();
+        let mut notes: Vec<String> = read.into_iter().chain(taken).collect();
         notes.extend(left_out.map(|part| format!("left out: {part}")));
         notes.extend(others);
         notes.extend(counting.in_words(&columns, false));
@@ -173,9 +174,10 @@ impl<'a> Table<'a> {
     fn points(mut self, shape: &Shape, skipping: &mut Skipping) -> Result<Reading, InputError> {
         let text = self.text;
         let mut records = text.rows();
-        let Some(start) = Start::read(self.file, text, &mut records, shape.use_of())? else {
+        let Some(mut start) = Start::read(self.file, text, &mut records, shape.use_of())? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
+        let taken = start.taken_for_sizes.take().map(|row| format!("{row}; --no-header reads it as a point"));
         self.width = start.width;
         let is_named =
             shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
@@ -220,7 +222,7 @@ impl<'a> Table<'a> {
         }
         self.check_count(count, points.len() + skipping.count() - skipped_before)?;
         let read = in_doubt.map(|RowInDoubt { in_words, line }| format!("{in_words}; --skip {line} leaves it out"));
-        let mut notes: Vec<String> = read.into_iter().collect();
+        let mut notes: Vec<String> = read.into_iter().chain(taken).collect();
         notes.extend(counting.in_words(&columns, true));
         if shape.columns.is_none() {
             let used: Vec<String> = columns.iter().map(|&column| names[column].clone()).collect();

@@ -51,6 +51,8 @@ pub(super) struct Start {
     pub(super) left_out: Vec<String>,
     /// A first row that is read as data, though it may be something else.
     pub(super) in_doubt: Option<RowInDoubt>,
+    /// A first row that is left out as the sizes of the table, though it is as long as a point, in words.
+    pub(super) taken_for_sizes: Option<String>,
     /// The rows of the text before the second one.
     before_second: usize,
 }
@@ -76,7 +78,7 @@ impl Start {
         let Some(mut first) = next()? else { return Ok(None) };
         let mut second = next()?;
         let (mut count, mut before_second, mut nameless) = (None, 1, Vec::new());
-        let mut left_out = Vec::new();
+        let (mut left_out, mut taken_for_sizes) = (Vec::new(), None);
         let holds_several = |row: &ByteRecord| row.iter().filter(|cell| !cell.trim_ascii().is_empty()).count() > 1;
         let counted = lone_count(&first);
         // Lists of atoms have a title behind the count, which may be empty.
@@ -107,6 +109,10 @@ impl Start {
         {
             let Some(row) = second.take() else { return Ok(None) };
             left_out.push(sizes);
+            let numbers = cells(&first).join(", ");
+            let is_as_long = first.len() == row.len();
+            taken_for_sizes =
+                is_as_long.then(|| format!("the first row ({numbers}) is left out as the sizes of the table"));
             nameless = others;
             (first, second) = (row, next()?);
             before_second += 1;
@@ -130,6 +136,7 @@ impl Start {
             has_properties,
             left_out,
             in_doubt: None,
+            taken_for_sizes,
             before_second,
         };
         start.name_first_column(text);

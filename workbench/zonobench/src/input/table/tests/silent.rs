@@ -142,6 +142,15 @@ fn a_row_of_sizes_is_left_out_where_the_rows_agree_with_it() {
         assert_eq!((&points, &rows), (&expected, &expected), "{content}");
         assert!(words.contains("says the sizes") && notes.concat().contains("says the sizes"), "{words} {notes:?}");
     }
+    // a row that is as long as a point may be one, which standard error says
+    let notes = |content: &str| {
+        let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud: false };
+        let reading = super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut Skipping::default());
+        reading.expect("points").notes
+    };
+    let expected = "the first row (3, 2) is left out as the sizes of the table; --no-header reads it as a point";
+    assert_eq!(notes("3 2\n1 2\n3 4\n5 6\n"), [expected]);
+    assert_eq!(notes("2 3\n1 2 3\n3 4 5\n"), [""; 0]);
     assert_eq!(vectors("2,2\n1,0\n0,1\n").expect("generators").0.len(), 3);
     assert_eq!(told("3 2\n1 2\n3 4\n5 6\n", false, Some(0)).expect("points").0.len(), 4);
     assert_eq!(told("4 2\n1 2\n3 4\n5 6\n", false, None).expect("points").0.len(), 4);
