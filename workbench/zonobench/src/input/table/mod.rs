@@ -148,8 +148,7 @@ impl<'a> Table<'a> {
             columns = vectors.places.iter().map(|&place| columns[place]).collect();
             names = columns.iter().map(|&column| all[column].clone()).collect();
         }
-        let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud: false };
-        let mut counting = Counting::new(shape.columns.is_some(), is_header, &columns);
+        let mut counting = Counting::new(false, is_header, &columns);
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
         let mut numbers = Vec::new();
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
@@ -159,10 +158,8 @@ impl<'a> Table<'a> {
             push_limited(&mut numbers, read).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
         self.check_count(count, numbers.len())?;
-        let comments = text.left_out();
-        let left_out = left_out.into_iter().chain(nameless_in_words).chain(comments);
-        let read = in_doubt.map(|RowInDoubt { in_words, .. }| in_words);
-        let mut notes: Vec<String> = read.into_iter().chain(taken).collect();
+        let left_out = left_out.into_iter().chain(nameless_in_words).chain(text.left_out());
+        let mut notes: Vec<String> = in_doubt.map(|row| row.in_words).into_iter().chain(taken).collect();
         notes.extend(left_out.map(|part| format!("left out: {part}")));
         notes.extend(others);
         notes.extend(counting.in_words(&columns, false));
