@@ -1,5 +1,6 @@
 //! `zonobench mesh`: whether two meshes of triangles meet, in which pairs, or how far apart they are.
 
+mod faces;
 mod options;
 mod reading;
 mod summary;

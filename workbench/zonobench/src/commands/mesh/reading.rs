@@ -7,6 +7,8 @@ use batch::json::vector_to_json;
 use batch::placement::Placement;
 use serde_json::{Value, json};
 
+use super::faces::triangles_of;
+use crate::commands::table::counted;
 use crate::commands::usage::{read_telling, tell};
 use crate::input::{Format, PointSource, Points, Wanted};
 
@@ -28,9 +30,19 @@ impl Read {
         let Points::Space(vertices) = &reading.points else {
             bail!("{}: holds no mesh of space", file.display());
         };
-        // the corners of a face in the order in which it lists them, from the first one
-        let fan = |face: &[usize]| (2..face.len()).map(|k| [face[0], face[k - 1], face[k]]).collect::<Vec<_>>();
-        let triangles: Vec<[usize; 3]> = reading.faces.iter().flat_map(|face| fan(face)).collect();
+        let mut overlapping = 0_usize;
+        let mut cut = |face: &Vec<usize>| {
+            triangles_of(face, vertices).unwrap_or_else(|triangles| {
+                overlapping += 1;
+                triangles
+            })
+        };
+        let triangles: Vec<[usize; 3]> = reading.faces.iter().flat_map(&mut cut).collect();
+        if overlapping > 0 {
+            let faces = counted(overlapping, "face is", "faces are");
+            let why = "though no corner sees all of it, so triangles lie outside of it";
+            tell(&format!("{}: {faces} cut into triangles from the first corner, {why}", file.display()));
+        }
         if triangles.is_empty() {
             return Err(anyhow!("{}: holds no faces, only points", file.display()));
         }

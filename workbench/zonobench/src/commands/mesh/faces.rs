@@ -1,0 +1,77 @@
+//! The triangles of a face with any number of corners.
+//!
+//! A face is cut from one corner to all others. That is right from each corner of a convex face, and from some corner of
+//! many others: those from which all of the face is seen. The first such corner is taken.
+
+/// The part of two normals' lengths by which rounding may let them seem to point apart.
+const ROUNDING: f64 = 1e-9;
+
+/// The triangles of a face, from the first corner that sees all of it; else from its first corner, as none does.
+///
+/// # Errors
+/// The triangles from the first corner, some of which overlap.
+pub(super) fn triangles_of(face: &[usize], vertices: &[[f64; 3]]) -> Result<Vec<[usize; 3]>, Vec<[usize; 3]>> {
+    let turned = |first: usize| face[first..].iter().chain(&face[..first]).copied().collect::<Vec<_>>();
+    let from = |first: usize| {
+        let corners = turned(first);
+        (2..corners.len()).map(|k| [corners[0], corners[k - 1], corners[k]]).collect::<Vec<_>>()
+    };
+    let sees_all = |triangles: &Vec<[usize; 3]>| {
+        let normals: Vec<[f64; 3]> = triangles.iter().map(|triangle| normal(triangle, vertices)).collect();
+        let whole = normals.iter().fold([0.0; 3], |sum, n| [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]]);
+        let length = |v: &[f64; 3]| dot(v, v).sqrt();
+        normals.iter().all(|n| dot(n, &whole) >= -ROUNDING * length(n) * length(&whole))
+    };
+    (0..face.len()).map(from).find(sees_all).ok_or_else(|| from(0))
+}
+
+/// Twice the area of a triangle along its normal.
+fn normal(triangle: &[usize; 3], vertices: &[[f64; 3]]) -> [f64; 3] {
+    let [a, b, c] = triangle.map(|corner| vertices[corner]);
+    let [p, q] = [b, c].map(|end| [0, 1, 2].map(|k| end[k] - a[k]));
+    [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A kite with a dent at its third corner, which is seen from there and from the corner opposite to it.
+    const DENTED: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];
+
+    #[test]
+    fn a_face_is_cut_from_a_corner_that_sees_all_of_it() {
+        assert_eq!(triangles_of(&[0, 1, 2, 3], &DENTED), Ok(vec![[0, 1, 2], [0, 2, 3]]));
+        assert_eq!(triangles_of(&[1, 2, 3, 0], &DENTED), Ok(vec![[2, 3, 0], [2, 0, 1]]));
+        assert_eq!(triangles_of(&[0, 1, 3], &DENTED), Ok(vec![[0, 1, 3]]));
+        let square = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0]];
+        assert_eq!(triangles_of(&[2, 3, 0, 1], &square), Ok(vec![[2, 3, 0], [2, 0, 1]]));
+    }
+
+    #[test]
+    fn a_face_of_which_no_corner_sees_all_is_told_apart() {
+        // a comb with three teeth
+        let comb: Vec<[f64; 3]> = [
+            (0.0, 0.0),
+            (8.0, 0.0),
+            (8.0, 4.0),
+            (7.0, 4.0),
+            (7.0, 1.0),
+            (4.5, 1.0),
+            (4.5, 4.0),
+            (3.5, 4.0),
+            (3.5, 1.0),
+            (1.0, 1.0),
+            (1.0, 4.0),
+            (0.0, 4.0),
+        ]
+        .map(|(x, y)| [x, y, 0.0])
+        .into();
+        let face: Vec<usize> = (0..comb.len()).collect();
+        assert!(triangles_of(&face, &comb).is_err_and(|triangles| triangles.len() == 10));
+    }
+}
