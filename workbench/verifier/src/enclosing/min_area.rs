@@ -77,8 +77,11 @@ pub struct MinAreaProof {
 
 impl Display for MinAreaProof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { area, gap, points, .. } = self;
-        write!(f, "contains all {points} points; area {area:?} is within {gap:.1e} of the proven bound")
+        let Self { area, gap, points, proven_bound } = self;
+        write!(f, "contains all {points} points; area {area:?} ")?;
+        // an area that agrees with the exact one up to rounding may lie below the bound of it
+        let of_exact = if area < proven_bound { "agrees with the exact one, which " } else { "" };
+        write!(f, "{of_exact}is within {gap:.1e} of the proven bound")
     }
 }
 
