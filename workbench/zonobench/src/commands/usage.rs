@@ -44,7 +44,8 @@ pub enum Usage {
     /// An answer stands beside two files, but is not about two.
     #[error(
         "two files stand before the answer, but it is not about two bodies, or a body and points; zonobench verify \
-         FILE ANSWER checks an answer about one file, and QUESTIONS ANSWERS those of `solve`"
+         FILE ANSWER checks an answer about one file, and QUESTIONS ANSWERS those of `solve`, and of `mesh` with the \
+         question that --question writes"
     )]
     NotAboutTwoFiles,
     /// The name of a result ends as that of a file in another format.

@@ -35,7 +35,7 @@ pub struct Options {
     /// Questions are lines of JSON, as `solve` reads or `--question` writes them, and the answers lines in their order.
     /// An answer that a command wrote by `--json` records what was asked: it is checked against the files that the
     /// command was given, in their order. These are one file for `enclose`, `sweep`, `reduce` and `inspect`, two for
-    /// `intersect`, `distance`, `collide` and `contains`.
+    /// `intersect`, `distance`, `hausdorff`, `collide` and `contains`.
     #[arg(value_name = "FILE", num_args = 2..=3, required = true)]
     files: Vec<PathBuf>,
     /// The parts that the answer does not record of the question that was asked about files.
