@@ -89,6 +89,12 @@ impl BodySource {
             Format::Csv => {
                 let rows = table::rows(file, content, self.layout.order())?;
                 rows.notes.iter().for_each(|note| tell(note));
+                if let (Some(index), false) = (rows.center, self.layout.columns_are_generators) {
+                    tell(&format!("row {} of numbers is read as the centre, as it is called", index + 1));
+                    let mut generators = rows.numbers;
+                    let center = generators.remove(index);
+                    return Ok(Placed { body: body(file, Some(center), generators)?, pose: None });
+                }
                 if rows.are_named_as_points() && self.layout == Layout::default() {
                     let names = rows.names.join(", ");
                     let advice = "`zonobench enclose` makes a body around points";

@@ -38,6 +38,22 @@ fn tables_and_documents_hold_the_same_body() {
 }
 
 #[test]
+fn a_row_that_is_called_a_centre_is_the_centre() {
+    let read = |content: &str, layout: Layout| {
+        let source = BodySource { file: "z.csv".into(), format: None, layout, options: OptionNames::OF_FIRST };
+        let mut told = String::new();
+        let placed = source.placed(Format::Csv, content.as_bytes(), &mut |line| told.push_str(line)).expect(content);
+        (placed.body, told)
+    };
+    for (content, place) in [("name,x,y\ncenter,5,6\ng1,1,0\n", 1), ("name,x,y\ng1,1,0\nCentre,5,6\n", 2)] {
+        let (body, told) = read(content, Layout::default());
+        assert_eq!((body.center, body.generators), (vec![5.0, 6.0], vec![vec![1.0, 0.0]]), "{content}");
+        assert!(told.contains(&format!("row {place} of numbers is read as the centre, as it is called")), "{told}");
+    }
+    assert_eq!(read("name,x,y\ng1,5,6\ng2,1,0\n", Layout::default()).0.center, [0.0, 0.0]);
+}
+
+#[test]
 fn answers_hold_bodies() {
     let zonogon = r#"{"id":"p","kind":"min_area","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]]}}"#;
     let square = Body { center: vec![1.0, 1.0], generators: vec![vec![1.0, 0.0], vec![0.0, 1.0]], is_rounded: false };

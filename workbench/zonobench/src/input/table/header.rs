@@ -114,6 +114,12 @@ pub(super) fn holds_names(row: &ByteRecord) -> bool {
     filled.peek().is_some() && filled.all(|cell| !is_number(cell) && is_name(cell))
 }
 
+/// Whether the first line that is not blank is that of a grid of heights, whichever lines are to be left out.
+pub(super) fn is_grid(text: &[u8]) -> bool {
+    let first = text.trim_ascii_start().split(|byte| byte.is_ascii_whitespace()).next();
+    first.is_some_and(|word| word.eq_ignore_ascii_case(b"ncols"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,7 @@ mod separator;
 mod start;
 mod text;
 
-use self::rows::{cells, parsed};
+use self::rows::{cells, is_called_center, parsed};
 use std::path::Path;
 
 use csv::ByteRecord;
@@ -18,7 +18,7 @@ use csv::ByteRecord;
 use self::advice::{available, joins_digits, may_be_atoms};
 use self::counting::Counting;
 use self::decimals::Decimals;
-use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
+use self::header::{Opening, column_of_text, has_number, is_grid, is_text, opening, text_above_number};
 use self::start::{RowInDoubt, Start, Use};
 use self::text::Text;
 use super::columns::{Column, Columns};
@@ -77,6 +77,8 @@ pub(super) struct Rows {
     pub(super) names: Vec<String>,
     /// The rows, of the same length.
     pub(super) numbers: Vec<Vec<f64>>,
+    /// The row that a column of names calls a centre.
+    pub(super) center: Option<usize>,
     /// Remarks on the reading: rows and columns that were left out, decimal commas.
     pub(super) notes: Vec<String>,
 }
@@ -104,12 +106,6 @@ fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u
         return Err(Problem::Shape(grid).at(file, Place::File));
     }
     Ok(text)
-}
-
-/// Whether the first line that is not blank is that of a grid of heights, whichever lines are to be left out.
-fn is_grid(text: &[u8]) -> bool {
-    let first = text.trim_ascii_start().split(|byte| byte.is_ascii_whitespace()).next();
-    first.is_some_and(|word| word.eq_ignore_ascii_case(b"ncols"))
 }
 
 struct Table<'a> {
@@ -150,11 +146,12 @@ impl<'a> Table<'a> {
         }
         let mut counting = Counting::new(false, is_header, &columns);
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
-        let mut numbers = Vec::new();
+        let (mut numbers, mut center) = (Vec::new(), None);
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
             let read: Vec<f64> = columns.iter().map(|&column| self.number(&row, column)).collect::<Result<_, _>>()?;
             counting.note(read.first().copied().unwrap_or(f64::NAN));
+            center = center.or_else(|| is_called_center(&row, &columns).then_some(numbers.len()));
             push_limited(&mut numbers, read).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
         self.check_count(count, numbers.len())?;
@@ -165,7 +162,7 @@ impl<'a> Table<'a> {
         notes.extend(counting.in_words(&columns, false));
         notes.extend(self.losses.in_words());
         notes.extend(self.commas()?);
-        Ok(Rows { names, numbers, notes })
+        Ok(Rows { names, numbers, center, notes })
     }
 
     fn points(mut self, shape: &Shape, skipping: &mut Skipping) -> Result<Reading, InputError> {
