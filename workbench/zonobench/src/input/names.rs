@@ -160,7 +160,7 @@ pub(super) fn in_another_order(names: &[String]) -> Option<String> {
         return None;
     }
     let in_words = || format!("the columns {} are read in the order in which they stand", names.join(", "));
-    if REVERSED.iter().any(|pair| pair.iter().eq(&lower)) {
+    if lower.windows(2).any(|names| REVERSED.iter().any(|pair| pair.iter().eq(names))) {
         return Some(in_words());
     }
     // The letters that all names begin with, digits apart.

@@ -11,13 +11,15 @@ const ROUNDING: f64 = 1e-9;
 /// # Errors
 /// The triangles from the first corner, some of which overlap.
 pub(super) fn triangles_of(face: &[usize], vertices: &[[f64; 3]]) -> Result<Vec<[usize; 3]>, Vec<[usize; 3]>> {
+    let vertices = &relative(face, vertices);
     let turned = |first: usize| face[first..].iter().chain(&face[..first]).copied().collect::<Vec<_>>();
     let from = |first: usize| {
         let corners = turned(first);
         (2..corners.len()).map(|k| [corners[0], corners[k - 1], corners[k]]).collect::<Vec<_>>()
     };
+    let place = |corner: usize| face.iter().position(|other| *other == corner).unwrap_or_default();
     let sees_all = |triangles: &Vec<[usize; 3]>| {
-        let normals: Vec<[f64; 3]> = triangles.iter().map(|triangle| normal(triangle, vertices)).collect();
+        let normals: Vec<[f64; 3]> = triangles.iter().map(|triangle| normal(triangle.map(place), vertices)).collect();
         let whole = normals.iter().fold([0.0; 3], |sum, n| [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]]);
         let length = |v: &[f64; 3]| dot(v, v).sqrt();
         normals.iter().all(|n| dot(n, &whole) >= -ROUNDING * length(n) * length(&whole))
@@ -25,9 +27,22 @@ pub(super) fn triangles_of(face: &[usize], vertices: &[[f64; 3]]) -> Result<Vec<
     (0..face.len()).map(from).find(sees_all).ok_or_else(|| from(0))
 }
 
+/// The corners of a face from its first one on, over its extent: products of such coordinates have room, whatever the
+/// size of the face.
+fn relative(face: &[usize], vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let Some(&first) = face.first() else { return Vec::new() };
+    // halves, since the difference of two doubles may be beyond the doubles
+    let half = |corner: usize| vertices[corner].map(|c| 0.5 * c);
+    let origin = half(first);
+    let off = |&corner: &usize| [0, 1, 2].map(|k| half(corner)[k] - origin[k]);
+    let corners: Vec<[f64; 3]> = face.iter().map(off).collect();
+    let extent = corners.iter().flatten().fold(0.0f64, |extent, c| extent.max(c.abs()));
+    if extent == 0.0 { corners } else { corners.iter().map(|corner| corner.map(|c| c / extent)).collect() }
+}
+
 /// Twice the area of a triangle along its normal.
-fn normal(triangle: &[usize; 3], vertices: &[[f64; 3]]) -> [f64; 3] {
-    let [a, b, c] = triangle.map(|corner| vertices[corner]);
+fn normal(triangle: [usize; 3], corners: &[[f64; 3]]) -> [f64; 3] {
+    let [a, b, c] = triangle.map(|corner| corners[corner]);
     let [p, q] = [b, c].map(|end| [0, 1, 2].map(|k| end[k] - a[k]));
     [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 }
@@ -50,6 +65,14 @@ mod tests {
         assert_eq!(triangles_of(&[0, 1, 3], &DENTED), Ok(vec![[0, 1, 3]]));
         let square = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0]];
         assert_eq!(triangles_of(&[2, 3, 0, 1], &square), Ok(vec![[2, 3, 0], [2, 0, 1]]));
+    }
+
+    #[test]
+    fn faces_of_any_size_are_cut_alike() {
+        for size in [1e-320, 1e-100, 1e80, 1e160, 4.4e307] {
+            let dented = DENTED.map(|corner| corner.map(|c| size * c - size));
+            assert_eq!(triangles_of(&[1, 2, 3, 0], &dented), Ok(vec![[2, 3, 0], [2, 0, 1]]), "{size}");
+        }
     }
 
     #[test]

@@ -90,6 +90,14 @@ impl BodySource {
                 let rows = table::rows(file, content, self.layout.order())?;
                 rows.notes.iter().for_each(|note| tell(note));
                 if let (Some(index), false) = (rows.center, self.layout.columns_are_generators) {
+                    if self.layout.center_first && index > 0 {
+                        let problem = format!(
+                            "row {} of numbers is called a centre, while {} takes the first one",
+                            index + 1,
+                            self.options.center_first
+                        );
+                        return Err(Problem::Shape(problem).at(file, Place::File));
+                    }
                     tell(&format!("row {} of numbers is read as the centre, as it is called", index + 1));
                     let mut generators = rows.numbers;
                     let center = generators.remove(index);
