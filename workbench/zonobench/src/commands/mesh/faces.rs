@@ -1,7 +1,8 @@
 //! The triangles of a face with any number of corners.
 //!
-//! A face is cut from one corner to all others. That is right from each corner of a convex face, and from some corner of
-//! many others: those from which all of the face is seen. The first such corner is taken.
+//! A face is cut from one corner to all others. That is right from each corner of a convex face, and from some corner
+//! of many others: those from which all of the face is seen. The first such corner is taken. A corner is given up at
+//! the first triangle that is turned against the face, so that only faces made for it take the square of their corners.
 
 /// The part of two normals' lengths by which rounding may let them seem to point apart.
 const ROUNDING: f64 = 1e-9;
@@ -11,20 +12,19 @@ const ROUNDING: f64 = 1e-9;
 /// # Errors
 /// The triangles from the first corner, some of which overlap.
 pub(super) fn triangles_of(face: &[usize], vertices: &[[f64; 3]]) -> Result<Vec<[usize; 3]>, Vec<[usize; 3]>> {
-    let vertices = &relative(face, vertices);
-    let turned = |first: usize| face[first..].iter().chain(&face[..first]).copied().collect::<Vec<_>>();
+    let corners = &relative(face, vertices);
+    let count = corners.len();
     let from = |first: usize| {
-        let corners = turned(first);
-        (2..corners.len()).map(|k| [corners[0], corners[k - 1], corners[k]]).collect::<Vec<_>>()
+        let place = move |k: usize| if first + k < count { first + k } else { first + k - count };
+        (2..count).map(move |k| [first, place(k - 1), place(k)])
     };
-    let place = |corner: usize| face.iter().position(|other| *other == corner).unwrap_or_default();
-    let sees_all = |triangles: &Vec<[usize; 3]>| {
-        let normals: Vec<[f64; 3]> = triangles.iter().map(|triangle| normal(triangle.map(place), vertices)).collect();
-        let whole = normals.iter().fold([0.0; 3], |sum, n| [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]]);
-        let length = |v: &[f64; 3]| dot(v, v).sqrt();
-        normals.iter().all(|n| dot(n, &whole) >= -ROUNDING * length(n) * length(&whole))
-    };
-    (0..face.len()).map(from).find(sees_all).ok_or_else(|| from(0))
+    let normal_of = |places: [usize; 3]| normal(places.map(|place| corners[place]));
+    let whole = from(0).map(normal_of).fold([0.0; 3], |sum, n| [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]]);
+    let length = |v: &[f64; 3]| dot(v, v).sqrt();
+    let limit = -ROUNDING * length(&whole);
+    let sees_all = |&first: &usize| from(first).map(normal_of).all(|n| dot(&n, &whole) >= limit * length(&n));
+    let of_face = |first: usize| from(first).map(|places| places.map(|place| face[place])).collect();
+    (0..count).find(sees_all).map(of_face).ok_or_else(|| of_face(0))
 }
 
 /// The corners of a face from its first one on, over its extent: products of such coordinates have room, whatever the
@@ -41,8 +41,7 @@ fn relative(face: &[usize], vertices: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 /// Twice the area of a triangle along its normal.
-fn normal(triangle: [usize; 3], corners: &[[f64; 3]]) -> [f64; 3] {
-    let [a, b, c] = triangle.map(|corner| corners[corner]);
+fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let [p, q] = [b, c].map(|end| [0, 1, 2].map(|k| end[k] - a[k]));
     [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 }
@@ -73,6 +72,15 @@ mod tests {
             let dented = DENTED.map(|corner| corner.map(|c| size * c - size));
             assert_eq!(triangles_of(&[1, 2, 3, 0], &dented), Ok(vec![[2, 3, 0], [2, 0, 1]]), "{size}");
         }
+    }
+
+    #[test]
+    fn a_large_face_is_cut_in_time() {
+        let count = 100_000;
+        let turn = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
+        let circle: Vec<[f64; 3]> = (0..count).map(|k| [turn(k).cos(), turn(k).sin(), 0.0]).collect();
+        let face: Vec<usize> = (0..count).collect();
+        assert!(triangles_of(&face, &circle).is_ok_and(|triangles| triangles.len() == count - 2));
     }
 
     #[test]

@@ -31,7 +31,7 @@ impl Read {
             bail!("{}: holds no mesh of space", file.display());
         };
         let mut overlapping = 0_usize;
-        let mut cut = |face: &Vec<usize>| {
+        let mut cut = |face: &Box<[usize]>| {
             triangles_of(face, vertices).unwrap_or_else(|triangles| {
                 overlapping += 1;
                 triangles

@@ -1,7 +1,7 @@
 //! Names of coordinates that are alike but for the coordinate: `world_y` beside `world_x`, `cy` beside `cx`.
 //!
-//! Prefixes and suffixes have no list: what stands before and behind is whatever the names of one point have in common.
-//! Where several points stand in a row, as `x1, y1, x2, y2` do, the names decide nothing.
+//! Prefixes and suffixes have no list: they are whatever the names of one point have in common. The names of several
+//! points in a row, as in `x1, y1, x2, y2`, decide nothing.
 
 /// Coordinates in the order in which they are read, three before two.
 const SETS: [&[&str]; 7] = [

@@ -12,7 +12,8 @@ pub(super) fn columns_beside_positions(title: &ByteRecord) -> Result<Option<Vec<
         Problem::Shape(format!("names the columns by Properties={properties}, {what}; a list of atoms has pos:R:3"))
     };
     let (columns, rest) = words.as_chunks::<3>();
-    let counted = columns.iter().map(|[name, kind, count]| Some((*name, *kind, count.parse::<usize>().ok()?)));
+    let counted =
+        columns.iter().map(|[name, kind, count]| Some((*name, *kind, usize::from(count.parse::<u8>().ok()?))));
     let counted = counted.collect::<Option<Vec<_>>>().filter(|_| rest.is_empty());
     let counted = counted.ok_or_else(|| refused("which are not names, kinds and counts"))?;
     let mut begin = 0;
@@ -30,7 +31,7 @@ pub(super) fn columns_beside_positions(title: &ByteRecord) -> Result<Option<Vec<
     Ok(Some((0..begin).filter(|column| !positions.contains(column)).collect()))
 }
 
-/// What follows the word `Properties=` in a cell, without quotation marks.
+/// The text behind the word `Properties=` in a cell, without quotation marks.
 fn properties(cell: &[u8]) -> Option<&str> {
     let cell = std::str::from_utf8(cell).ok()?.trim();
     let (word, properties) = cell.split_once('=')?;
@@ -50,7 +51,13 @@ mod tests {
         assert_eq!(columns("Properties=species:S:1:vel:R:3:pos:R:3"), Ok(Some(vec![0, 1, 2, 3])));
         assert_eq!(columns("pbc=T properties=\"pos:R:3:Z:I:1\" energy=1"), Ok(Some(vec![3])));
         assert_eq!(columns("a molecule of water"), Ok(None));
-        for title in ["Properties=species:S:1", "Properties=pos:R:2", "Properties=pos:I:3", "Properties=pos:R"] {
+        for title in [
+            "Properties=species:S:1",
+            "Properties=pos:R:2",
+            "Properties=pos:I:3",
+            "Properties=pos:R",
+            "Properties=a:S:300:pos:R:3",
+        ] {
             assert!(columns(title).is_err_and(|told| told.contains("a list of atoms has pos:R:3")), "{title}");
         }
     }
