@@ -29,6 +29,14 @@ impl Columns {
         }
         Ok(Self(columns))
     }
+
+    /// The names among them.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().filter_map(|column| match column {
+            Column::Name(name) => Some(name.as_str()),
+            Column::Number(_) => None,
+        })
+    }
 }
 
 impl FromStr for Columns {

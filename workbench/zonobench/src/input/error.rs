@@ -244,12 +244,14 @@ pub enum Problem {
         wanted: &'static str,
     },
     /// Points of another dimension are needed.
-    #[error("holds points with {found} coordinates, not {wanted}")]
+    #[error("holds points with {found} coordinates, not {wanted}{hint}")]
     Dimension {
         /// The coordinates of the points in the file.
         found: usize,
         /// The coordinates of the points that are needed.
         wanted: usize,
+        /// The columns that were read where others could have been, with the option that chooses them, in words.
+        hint: String,
     },
     /// The bytes are not text.
     #[error("is not UTF-8 text")]

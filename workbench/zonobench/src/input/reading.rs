@@ -44,7 +44,13 @@ impl Reading {
     /// Refuses points with another number of coordinates than is wanted.
     pub fn check_dimension(&self, file: &Path, wanted: usize) -> Result<(), InputError> {
         let found = self.points.dimension();
-        if found == wanted { Ok(()) } else { Err(Problem::Dimension { found, wanted }.at(file, Place::File)) }
+        if found == wanted {
+            return Ok(());
+        }
+        let is_choice = !self.columns.is_empty() && !self.left_out.is_empty();
+        let read = if is_choice { self.in_words() } else { None };
+        let hint = read.map(|read| format!("; columns read: {read}; --columns chooses others")).unwrap_or_default();
+        Err(Problem::Dimension { found, wanted, hint }.at(file, Place::File))
     }
 
     /// The columns in words, with what they leave out: "x, y; left out: id"; `None` where there is nothing to tell.

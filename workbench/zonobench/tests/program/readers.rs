@@ -80,6 +80,45 @@ fn a_column_of_text_is_told_at_the_first_row() {
 }
 
 #[test]
+fn points_of_another_dimension_say_which_columns_were_left_out() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("z.csv"), "1,0,0\n0,1,0\n0,0,1\n").expect("written");
+    fs::write(folder.join("p.csv"), "lon,lat,alt\n0.5,0.5,0.5\n9,9,9\n").expect("written");
+    let refused = run(folder, &["contains", "z.csv", "p.csv"]);
+    let choice = "columns read: lon, lat; left out: alt; --columns chooses others";
+    let expected = format!("zonobench: p.csv: holds points with 2 coordinates, not 3; {choice}\n");
+    assert_eq!((refused.status, refused.stderr), (1, expected));
+    let told = run(folder, &["contains", "z.csv", "p.csv", "--columns", "lon,lat,alt"]);
+    assert_eq!(told.status, 0, "{}", told.stderr);
+}
+
+#[test]
+fn a_field_that_occurs_twice_is_named_by_every_command() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("z.json"), r#"{"c":[0,0],"G":[[1,0],[0,1]],"c":[5,5]}"#).expect("written");
+    fs::write(folder.join("p.csv"), "0,0\n1,1\n").expect("written");
+    let line = r#"{"id":"m","kind":"gauge","input":{"c":[0,0],"G":[[1,0]],"c":[5,5],"point":[0,0]}}"#;
+    fs::write(folder.join("q.jsonl"), line).expect("written");
+    let commands: [&[&str]; 5] = [
+        &["contains", "z.json", "p.csv"],
+        &["inspect", "z.json"],
+        &["intersect", "z.json", "z.json"],
+        &["enclose", "z.json"],
+        &["verify", "q.jsonl", "z.json"],
+    ];
+    for words in commands {
+        let outcome = run(folder, words);
+        let told = outcome.stderr + &outcome.stdout;
+        assert!(told.contains("the field `c` occurs twice in one object"), "{words:?}: {told}");
+        assert_eq!(outcome.status, 1, "{words:?}");
+    }
+    let solved = run(folder, &["solve", "q.jsonl"]);
+    assert!(solved.stdout.contains("the field `c` occurs twice in one object"), "{}", solved.stdout);
+}
+
+#[test]
 fn documents() {
     refused("p.json", "", &[], "p.json: line 1, column 0: is not JSON: EOF while parsing a value");
     refused("p.json", "[]", &[], "p.json: holds no points");

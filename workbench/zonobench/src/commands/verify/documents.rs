@@ -5,7 +5,7 @@ use std::io::{self, BufRead};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use batch::json::{self, MAX_VALUES, Tree};
+use batch::json::{self, MAX_VALUES, ReadError, Tree};
 use batch::{Line, MAX_LINE_BYTES};
 
 use crate::commands::open;
@@ -66,21 +66,29 @@ pub(super) struct Documents {
     file: PathBuf,
     lines: Lines<Box<dyn BufRead>>,
     seen: VecDeque<Option<Tree>>,
+    /// The first field that came twice in an object, in words: such a line is JSON that has no single meaning.
+    repeated: Option<String>,
 }
 
 impl Documents {
     /// The documents of a file.
     pub(super) fn of(file: &Path) -> anyhow::Result<Self> {
         let lines = Lines::new(open(Some(file))?, MAX_LINE_BYTES);
-        Ok(Self { file: file.to_path_buf(), lines, seen: VecDeque::new() })
+        Ok(Self { file: file.to_path_buf(), lines, seen: VecDeque::new(), repeated: None })
     }
 
     fn read(&mut self) -> Option<Document> {
         let line = self.lines.next()?.with_context(|| format!("{}: cannot be read", self.file.display()));
         Some(line.map(|(_, line)| match line {
-            Line::Content(text) => json::read(&text, MAX_VALUES).ok(),
+            Line::Content(text) => json::read(&text, MAX_VALUES).inspect_err(|error| self.note_repeated(error)).ok(),
             Line::TooLong => None,
         }))
+    }
+
+    fn note_repeated(&mut self, error: &ReadError) {
+        if let ReadError::RepeatedField { .. } = error {
+            self.repeated.get_or_insert_with(|| error.to_string());
+        }
     }
 
     /// The first document, if there is any.
@@ -108,9 +116,11 @@ impl Documents {
     /// The file with what its first line shows it to hold.
     pub(super) fn described(&mut self) -> anyhow::Result<String> {
         let file = self.file.display().to_string();
-        Ok(match self.first()? {
-            None => format!("{file} is empty"),
-            Some(document) => format!("{file} holds {}", Sort::of(document).in_words()),
+        let sort = self.first()?.map(Sort::of);
+        Ok(match (sort, &self.repeated) {
+            (None, _) => format!("{file} is empty"),
+            (Some(Sort::NoJson), Some(repeated)) => format!("{file} holds JSON in which {repeated}"),
+            (Some(sort), _) => format!("{file} holds {}", sort.in_words()),
         })
     }
 

@@ -64,7 +64,8 @@ pub(super) fn points(
     shape: &Shape,
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
-    let text = Text::new(decoded(file, content)?, shape.skip.unwrap_or(0));
+    let asked: Vec<&str> = shape.columns.map(Columns::names).into_iter().flatten().collect();
+    let text = Text::new(decoded(file, content)?, shape.skip.unwrap_or(0), &asked);
     let mut reading = Table::new(file, &text).points(shape, skipping)?;
     reading.left_out.extend(text.left_out());
     Ok(reading)
@@ -95,7 +96,7 @@ impl Rows {
 ///
 /// Columns that are named as coordinates are put in their order, and labels of rows are left out, as `order` says.
 pub(super) fn rows(file: &Path, content: &[u8], order: Order) -> Result<Rows, InputError> {
-    let text = Text::new(decoded(file, content)?, 0);
+    let text = Text::new(decoded(file, content)?, 0, &[]);
     Table::new(file, &text).numbers(order)
 }
 

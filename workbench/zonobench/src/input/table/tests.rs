@@ -294,7 +294,7 @@ fn a_number_in_the_first_row_makes_it_data() {
 #[test]
 fn missing_names_are_told_from_data() {
     let complaint = |content: &str| read(content, Some("x,w")).expect_err(content);
-    let of_data = complaint("# x w z\n1 2 3\n4 5 6\n");
+    let of_data = complaint("# x v z\n1 2 3\n4 5 6\n");
     assert!(of_data.ends_with("numbered 1 to 3, as no row names them; a line that begins with # is a comment"));
     let unnamed = complaint(",x,y\n0,1,2\n1,3,4\n");
     assert!(unnamed.contains("the columns are column 1 (unnamed), x, y"), "{unnamed}");

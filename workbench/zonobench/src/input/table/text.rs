@@ -23,8 +23,8 @@ pub(super) struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    /// The text without its first lines.
-    pub(super) fn new(content: Cow<'a, [u8]>, skip: u64) -> Self {
+    /// The text without its first lines. A comment above the rows is their header where it has the names asked for.
+    pub(super) fn new(content: Cow<'a, [u8]>, skip: u64, asked: &[&str]) -> Self {
         let mut text = Self { content, skipped: 0, comments: [0; COMMENTS.len()], directive: None, separator: b',' };
         let holds_rows = marks_rows(&text.content);
         let mut stated = None;
@@ -45,7 +45,8 @@ impl<'a> Text<'a> {
                 stated = Some(separator);
                 blank = line.len();
             } else if is_first
-                && let Some(mark) = comment.filter(|&mark| names_coordinates(mark, line, &rest[length..]))
+                && let Some(mark) =
+                    comment.filter(|&mark| names_columns(&line[COMMENTS[mark].len()..], &rest[length..], asked))
             {
                 blank = COMMENTS[mark].len();
             } else if comment == Some(0) && (holds_rows || begins_with_error(line)) {
@@ -107,15 +108,17 @@ fn directive(line: &[u8]) -> Option<u8> {
     }
 }
 
-/// Whether a line of comment such as `//X,Y,Z,Intensity` or `# y x` names the columns of the numbers behind it.
-fn names_coordinates(mark: usize, line: &[u8], behind: &[u8]) -> bool {
-    let is_mark_of_names = mark != 1;
+/// Whether a line of comment such as `//X,Y,Z,Intensity` or `# y x`, without its mark, names the columns of the numbers
+/// behind it: coordinates, or those that were asked for.
+fn names_columns(line: &[u8], behind: &[u8], asked: &[&str]) -> bool {
     let cells = |line: &[u8]| -> Vec<String> {
         let words = line.split(|byte| b",; \t".contains(byte)).filter(|word| !word.is_empty());
         words.map(|word| String::from_utf8_lossy(word).into_owned()).collect()
     };
-    let named = cells(line[COMMENTS[mark].len()..].trim_ascii());
-    if !is_mark_of_names || !names::are_coordinates(&named) {
+    let named = cells(line.trim_ascii());
+    let has = |asked: &&str| named.iter().any(|name| name.eq_ignore_ascii_case(asked));
+    let has_asked = !asked.is_empty() && asked.iter().all(has);
+    if !has_asked && !names::are_coordinates(&named) {
         return false;
     }
     let mut rows = behind.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());

@@ -90,8 +90,9 @@ fn clouds_of_scanners_are_tables_of_x_y_z() {
         ("//X,Y,Z,R\n0,0,0.5,1\n1,0,0,1\n", "X, Y, Z; left out: R"),
         ("//X Y Z\n2\n0 0 0.5\n1 0 0\n", "X, Y, Z; left out: the second row, which counts 2 points"),
         ("# from a scanner\n0 0 0.5 # first\n1 0 0\n", "1, 2, 3; left out: 1 line that begins with #"),
+        ("% x y z\n// more\n0 0 0.5\n1 0 0\n", "x, y, z; left out: 1 line that begins with //"),
         (
-            "% x y z\n// more\n0 0 0.5\n1 0 0\n",
+            "% corners\n// more\n0 0 0.5\n1 0 0\n",
             "1, 2, 3; left out: 1 line that begins with %, 1 line that begins with //",
         ),
         (
@@ -133,4 +134,20 @@ fn encodings_are_read_or_named() {
     assert_eq!(read(&wide), Ok(Points::Plane(vec![[1.0, 2.0], [3.0, 4.0]])));
     assert!(read(&wide[2..]).expect_err("no mark").contains("is in UTF-16 without a byte order mark"));
     assert_eq!(read(b"# made by hand\rx,y\r1,2\r3,4"), Ok(Points::Plane(vec![[1.0, 2.0], [3.0, 4.0]])));
+}
+
+#[test]
+fn a_comment_that_has_the_names_asked_for_is_the_header() {
+    let trajectory = "# a ground truth\n# timestamp tx ty tz qx qy qz qw\n9 1 2 3 0 0 0 1\n8 4 5 6 0 0 0 1\n";
+    let read = |columns: &str| {
+        let columns: Columns = columns.parse().expect("columns");
+        let shape = Shape { columns: Some(&columns), skip: None, wanted: Wanted::Any, is_cloud: false };
+        let reading = super::super::points(Path::new("t.txt"), trajectory.as_bytes(), &shape, &mut Skipping::default());
+        let rows = |reading: Reading| reading.points.rows().map(<[f64]>::to_vec).collect::<Vec<_>>();
+        reading.map(rows).map_err(|error| error.to_string())
+    };
+    assert_eq!(read("tx,ty,tz"), Ok(vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]]));
+    assert_eq!(read("TZ,timestamp"), Ok(vec![vec![3.0, 9.0], vec![6.0, 8.0]]));
+    let missing = read("tx,tw").expect_err("no such column");
+    assert!(missing.contains("there is no column 'tx'") && missing.contains("a comment"), "{missing}");
 }

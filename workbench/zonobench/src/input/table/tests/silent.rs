@@ -88,6 +88,8 @@ fn coordinates_are_put_in_their_order_in_vectors_as_in_points() {
         ("N,E\n2,1\n", vec![1.0, 2.0]),
         ("Hochwert;Rechtswert\n2;1\n", vec![1.0, 2.0]),
         ("# y x\n2 1\n", vec![1.0, 2.0]),
+        ("% y x\n2 1\n", vec![1.0, 2.0]),
+        ("%y,x\n2,1\n", vec![1.0, 2.0]),
         ("//Z Y X\n3 2 1\n", vec![1.0, 2.0, 3.0]),
         ("//Time X Y Z\n9 1 2 3\n", vec![1.0, 2.0, 3.0]),
     ] {
