@@ -1,5 +1,6 @@
 //! The check of `collide`: the stretches without contact and what the bodies do after them.
 
+use super::claimed_mesh_contact;
 use crate::claimed::{Placed, Traced, float, indices, member, text, vector, vectors};
 use verifier::{
     Encounter, FirstContactAnswer, FreeInterval, Motion, MotionPiece, MovingBody, MovingDirection, Verdict,
@@ -10,12 +11,20 @@ use verifier::{
 const RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
 pub(super) fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<Verdict, String> {
+    let is_mesh = |name: &str| member(input, name).map(|body| body.tree.field("triangles").is_some());
+    if is_mesh("a")? && is_mesh("b")? {
+        return claimed_mesh_contact::check(input, result);
+    }
     let motions = member(input, "motion")?;
     let [a, b] = [body(input, "a")?, body(input, "b")?];
     let [of_a, of_b] = [motion(motions, "a")?, motion(motions, "b")?];
-    let resolution = if input.field("resolution").is_some() { float(input, "resolution")? } else { RESOLUTION };
     let bodies = [moving(&a, &of_a), moving(&b, &of_b)];
-    Ok(check_first_contact(bodies, resolution, &answer(result)?).in_words())
+    Ok(check_first_contact(bodies, resolution(input)?, &answer(result)?).in_words())
+}
+
+/// The resolution of a question.
+pub(super) fn resolution(input: Traced<'_>) -> Result<f64, String> {
+    if input.field("resolution").is_some() { float(input, "resolution") } else { Ok(RESOLUTION) }
 }
 
 /// The centre and the generators of a body where its pose puts it.
@@ -48,7 +57,8 @@ fn answer(result: Traced<'_>) -> Result<FirstContactAnswer, String> {
     Ok(FirstContactAnswer { encounter, intervals: intervals.map(interval).collect::<Result<_, _>>()? })
 }
 
-fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
+/// A stretch with its direction.
+pub(super) fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
     let direction = match text(tree, "frame")? {
         "space" => MovingDirection::Space(numbers(tree, "direction")?),
         "a" => MovingDirection::A(numbers(tree, "direction")?),
@@ -65,13 +75,14 @@ fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
 }
 
 /// As many finite numbers as are expected.
-fn numbers<const N: usize>(object: Traced<'_>, name: &str) -> Result<[f64; N], String> {
+pub(super) fn numbers<const N: usize>(object: Traced<'_>, name: &str) -> Result<[f64; N], String> {
     let found = vector(member(object, name)?, name)?;
     let count = found.len();
     found.try_into().map_err(|_| format!("`{name}` has {count} numbers, not {N}"))
 }
 
-fn motion(motions: Traced<'_>, name: &str) -> Result<Motion, String> {
+/// The motion of a body, which rests where none is stated.
+pub(super) fn motion(motions: Traced<'_>, name: &str) -> Result<Motion, String> {
     let Some(motion) = motions.field(name) else { return Ok(Motion::Rest) };
     let Some(pieces) = motion.field("pieces") else {
         return Ok(Motion::ConstantRate {

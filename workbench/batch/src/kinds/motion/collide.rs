@@ -1,4 +1,5 @@
-//! `collide`: whether two moving zonotopes of space meet during a step of time, and when first.
+//! `collide`: whether two moving bodies of space meet during a step of time, and when first; both are zonotopes, or
+//! meshes of triangles.
 
 use serde_json::{Value, json};
 use zonotope::collision::Witness;
@@ -6,15 +7,17 @@ use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST
 use zonotope::motion::continuous::{FirstContact, FreeStretch, Method, SeparatingDirection};
 
 use super::claimed_contact::check;
+use super::of_meshes;
 use super::stated::motion;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::meshes::mesh::MESH;
 use crate::kinds::{BODY, Kind, PLACED, Solution};
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {
     name: "collide",
-    summary: "when two moving zonotopes of space meet first, or that they do not",
+    summary: "when two moving zonotopes of space, or two meshes, meet first, or that they do not",
     fields: &["a", "b", "motion"],
     optional: &["resolution"],
     methods: || Method::ALL.map(Method::id).to_vec(),
@@ -28,6 +31,9 @@ const GENERATOR_LIMIT: usize = 200_000;
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
+    if of_meshes::are_meshes(["a", "b"].map(|name| fields.has_one_of(name, &MESH)))? {
+        return of_meshes::solve(fields, method);
+    }
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     let [a, b] = [bodies[0].image::<3>()?, bodies[1].image::<3>()?];
     let motions = fields.object("motion", &[], &["a", "b"])?;
@@ -42,7 +48,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     Ok(Solution { method: method.id(), result: result(&found) })
 }
 
-fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
+pub(super) fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
     if !fields.has("resolution") {
         return Ok(DEFAULT_RESOLUTION);
     }
@@ -73,7 +79,8 @@ fn result(found: &FirstContact) -> Value {
     result
 }
 
-fn interval(stretch: &FreeStretch) -> Value {
+/// A stretch with its direction.
+pub(super) fn interval(stretch: &FreeStretch) -> Value {
     let (frame, direction) = match &stretch.direction {
         SeparatingDirection::Space(u) => ("space", vector_to_json(u)),
         SeparatingDirection::First(u) => ("a", vector_to_json(u)),
