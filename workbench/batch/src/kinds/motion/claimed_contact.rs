@@ -1,6 +1,5 @@
 //! The check of `collide`: the stretches without contact and what the bodies do after them.
 
-use super::claimed_mesh_contact;
 use crate::claimed::{Placed, Traced, float, indices, member, text, vector, vectors};
 use verifier::{
     Encounter, FirstContactAnswer, FreeInterval, Motion, MotionPiece, MovingBody, MovingDirection, Verdict,
@@ -10,11 +9,7 @@ use verifier::{
 /// The resolution of a question that names none: 2^-30.
 const RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
-pub(super) fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<Verdict, String> {
-    let is_mesh = |name: &str| member(input, name).map(|body| body.tree.field("triangles").is_some());
-    if is_mesh("a")? && is_mesh("b")? {
-        return claimed_mesh_contact::check(input, result);
-    }
+pub(super) fn check(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let motions = member(input, "motion")?;
     let [a, b] = [body(input, "a")?, body(input, "b")?];
     let [of_a, of_b] = [motion(motions, "a")?, motion(motions, "b")?];

@@ -2,13 +2,14 @@
 //! meshes of triangles.
 
 use serde_json::{Value, json};
+use verifier::Verdict;
 use zonotope::collision::Witness;
-use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
-use zonotope::motion::continuous::{FirstContact, FreeStretch, Method, SeparatingDirection};
+use zonotope::motion::continuous::{FirstContact, Method};
 
-use super::claimed_contact::check;
-use super::of_meshes;
-use super::stated::motion;
+use super::stated::{motion, resolution};
+use super::written::interval;
+use super::{claimed_contact, claimed_mesh_contact, of_meshes};
+use crate::claimed::{Traced, member};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::kinds::meshes::mesh::MESH;
@@ -48,16 +49,12 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     Ok(Solution { method: method.id(), result: result(&found) })
 }
 
-pub(super) fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
-    if !fields.has("resolution") {
-        return Ok(DEFAULT_RESOLUTION);
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<Verdict, String> {
+    let is_mesh = |name: &str| member(input, name).map(|body| body.tree.field("triangles").is_some());
+    if is_mesh("a")? && is_mesh("b")? {
+        return claimed_mesh_contact::check(input, result);
     }
-    let resolution = fields.number("resolution")?;
-    if (FINEST_RESOLUTION..1.0).contains(&resolution) {
-        return Ok(resolution);
-    }
-    let message = format!("resolution is {resolution:?}, not from {FINEST_RESOLUTION:?} to below 1");
-    Err(Refusal::new(Code::BadEpsilon, message))
+    claimed_contact::check(input, result)
 }
 
 fn result(found: &FirstContact) -> Value {
@@ -77,20 +74,4 @@ fn result(found: &FirstContact) -> Value {
     }
     result["certificate"] = certificate;
     result
-}
-
-/// A stretch with its direction.
-pub(super) fn interval(stretch: &FreeStretch) -> Value {
-    let (frame, direction) = match &stretch.direction {
-        SeparatingDirection::Space(u) => ("space", vector_to_json(u)),
-        SeparatingDirection::First(u) => ("a", vector_to_json(u)),
-        SeparatingDirection::Second(u) => ("b", vector_to_json(u)),
-        SeparatingDirection::Edges(edges) => ("edges", edges.iter().map(|edge| vector_to_json(edge)).collect()),
-    };
-    json!({
-        "from": to_json(stretch.from),
-        "to": to_json(stretch.until),
-        "frame": frame,
-        "direction": direction,
-    })
 }

@@ -6,5 +6,6 @@ pub(super) mod collide;
 mod of_meshes;
 mod stated;
 pub(super) mod sweep;
+mod written;
 
 pub use stated::read_motion;

@@ -5,8 +5,8 @@ use zonotope::bvh::{Bvh, Mesh, OrientedBox};
 use zonotope::motion::continuous::Method;
 use zonotope::motion::continuous::of_meshes::{FreePair, MeshContact, NotRational, Part, first_contact_counted};
 
-use super::collide::{interval, resolution};
-use super::stated::motion;
+use super::stated::{motion, resolution};
+use super::written::interval;
 use crate::fields::{Fields, SPACE, image_not_held};
 use crate::json::vector_to_json;
 use crate::kinds::meshes::mesh::{MESH, check_size, mesh};
