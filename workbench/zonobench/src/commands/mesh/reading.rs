@@ -38,13 +38,13 @@ impl Read {
             bail!("{}: holds no mesh of space", file.display());
         };
         let mut overlapping = 0_usize;
-        let mut cut = |face: &Box<[usize]>| {
+        let mut cut = |face: &[usize]| {
             triangles_of(face, vertices).unwrap_or_else(|triangles| {
                 overlapping += 1;
                 triangles
             })
         };
-        let triangles: Vec<[usize; 3]> = reading.faces.iter().flat_map(&mut cut).collect();
+        let triangles: Vec<[usize; 3]> = reading.faces.iter().flat_map(|face| cut(face)).collect();
         if overlapping > 0 {
             let faces = counted(overlapping, "face is", "faces are");
             let why = "though no corner sees all of it, so triangles lie outside of it";
