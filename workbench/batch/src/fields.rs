@@ -69,6 +69,11 @@ impl<'a> Fields<'a> {
         self.object.field(name).is_some()
     }
 
+    /// Whether what stands under a name has one of some fields.
+    pub(super) fn has_one_of(&self, name: &str, fields: &[&str]) -> bool {
+        fields.iter().any(|field| self.value(name).field(field).is_some())
+    }
+
     /// Whether there is a pose.
     pub(super) fn has_pose(&self) -> bool {
         self.has("pose")

@@ -18,6 +18,7 @@
 //! | [`check_distance`] | p is that far from the zonotope | coefficients δ_i in [−1, 1] of the nearest point x, those of a basis solved for: no g_i leads from x towards p |
 //! | [`check_proximity`] | distance, nearest points and faces of two bodies, how deep they overlap | that of a location and of a distance; the normal of a hyperplane between bodies that touch; none for the depth: every facet of a small sum |
 //! | [`check_first_contact`] | when two moving bodies meet first, or that they do not | directions that may turn with a body, each for an interval of time: the Bernstein coefficients of the gap are positive; coefficients of a common point at the end |
+//! | [`check_mesh_contact`] | when two moving meshes meet first, or that they do not | the same for parts of the meshes, which hold all pairs of triangles until then; two triangles that meet |
 //! | [`check_meshes`] | two meshes of triangles meet, in which pairs, or how far apart they are | none: every pair of triangles whose boxes are near |
 //! | [`check_gauge`] | the least t ≥ 0 with p in t Z | as for a location, which tells the side of 1; the d − 1 generators that span the facet through which p leaves tell the value |
 //! | [`check_member_batch`] | status and gauge of many points | none: every point is held against every facet |
@@ -109,6 +110,7 @@ pub use lad::{Lad, LadAnswer, LadProof, check_lad};
 pub use meshes::check::{MeshAnswer, Surface, check_meshes};
 pub use motion::answer::{Encounter, FirstContactAnswer, FirstContactProof, FreeInterval, MovingDirection};
 pub use motion::check::{MovingBody, check_first_contact};
+pub use motion::of_meshes::{FreeParts, MeshContactAnswer, MeshEncounter, MovingSurface, check_mesh_contact};
 pub use motion::path::{Motion, MotionPiece};
 pub use motion::sweep::{Sweep, check_sweep};
 pub use reduction::hausdorff::{HausdorffAnswer, check_hausdorff};

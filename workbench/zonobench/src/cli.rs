@@ -43,7 +43,7 @@ pub enum Command {
     Distance(distance::Options),
     /// Tell how different two zonotopes are: their Hausdorff distance, and whether one contains the other.
     Hausdorff(hausdorff::Options),
-    /// Tell whether two zonotopes in motion meet, and when first, with the proof.
+    /// Tell whether two zonotopes or two meshes in motion meet, and when first, with the proof.
     Collide(collide::Options),
     /// Tell whether two meshes of triangles meet, in which pairs of triangles, or how far apart they are.
     Mesh(mesh::Options),

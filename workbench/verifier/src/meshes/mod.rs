@@ -4,4 +4,4 @@
 
 pub(crate) mod check;
 mod sweep;
-mod triangles;
+pub(crate) mod triangles;

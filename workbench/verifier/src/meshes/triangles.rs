@@ -5,10 +5,10 @@ use dashu_int::IBig;
 use crate::exact::linear::product;
 
 /// A point in units of a question.
-pub(super) type Point = [IBig; 3];
+pub(crate) type Point = [IBig; 3];
 
 /// Three corners, in any position.
-pub(super) type Triangle = [Point; 3];
+pub(crate) type Triangle = [Point; 3];
 
 /// The edges by their ends.
 const EDGES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
@@ -36,7 +36,7 @@ fn is_zero(v: &Point) -> bool {
 /// where the polytope is solid; where it is flat, the normal of its plane, or that of an edge in the plane; where it
 /// lies on a line, the part of a difference across the line, or the line; of a point, the difference itself. Facets,
 /// planes and lines are spanned by edges of the triangles. All of these directions are tried.
-pub(super) fn meet(a: &Triangle, b: &Triangle) -> bool {
+pub(crate) fn meet(a: &Triangle, b: &Triangle) -> bool {
     let of = |t: &Triangle| EDGES.map(|[i, j]| minus(&t[j], &t[i]));
     let edges: Vec<Point> = of(a).into_iter().chain(of(b)).filter(|edge| !is_zero(edge)).collect();
     let mut normals = Vec::new();

@@ -5,7 +5,7 @@
 //! a grazing the nearest points are found.
 
 use super::answer::{Encounter, FirstContactAnswer, FirstContactProof, FreeInterval, ProvedEnd};
-use super::free::{MOST_WORK, Pair};
+use super::free::{MOST_WORK, Moving, Pair};
 use super::gap::Solid;
 use super::path::{Motion, Path};
 use super::quaternion::Vector;
@@ -48,11 +48,8 @@ fn proved(
         }
     };
     check_order(&answer.intervals, end)?;
-    if let Encounter::Contact { time: [from, to], .. } = answer.encounter {
-        let width = Proportion::of_double(to).minus(&Proportion::of_double(from));
-        if !resolution.is_finite() || width.compare(&Proportion::of_double(resolution)).is_gt() {
-            return Err(format!("`time` is farther apart than the resolution {resolution:?}").into());
-        }
+    if let Encounter::Contact { time, .. } = answer.encounter {
+        check_width(time, resolution)?;
     }
     // Short proofs first: a false one is refused before the long ones are made.
     let proved_end = match &answer.encounter {
@@ -69,8 +66,9 @@ fn proved(
         }
     };
     let mut work = MOST_WORK;
+    let moving = Moving { solids: pair.solids.each_ref(), paths: &pair.paths };
     for interval in &answer.intervals {
-        pair.prove_free(interval, &mut work)?;
+        moving.prove_free(interval, &mut work)?;
     }
     if let ProvedEnd::Grazing([_, time], distance) = proved_end {
         pair.prove_near(time, distance)?;
@@ -99,36 +97,53 @@ fn pair(bodies: [MovingBody<'_>; 2]) -> Result<Pair, String> {
         let center = vector(body.center);
         let generators: Vec<Vector> = body.generators.iter().map(|g| vector(g)).collect();
         let reach = path.reach(&center, &generators);
-        Ok((Solid { center, generators, reach }, path))
+        Ok((Solid { center, generators, corners: Vec::new(), reach }, path))
     };
     let [(first, from), (second, to)] = [of(&bodies[0])?, of(&bodies[1])?];
     Ok(Pair { solids: [first, second], paths: [from, to], exponent: lengths.exponent() })
 }
 
-fn check_times([from, to]: [f64; 2]) -> Result<(), String> {
+pub(super) fn check_times([from, to]: [f64; 2]) -> Result<(), String> {
     let is_ordered = 0.0 <= from && from <= to && to <= 1.0;
     if is_ordered { Ok(()) } else { Err(format!("`time` is [{from:?}, {to:?}], not two times from 0 to 1 in order")) }
 }
 
+/// Refuses times of a contact that are farther apart than the resolution.
+pub(super) fn check_width([from, to]: [f64; 2], resolution: f64) -> Result<(), String> {
+    let width = Proportion::of_double(to).minus(&Proportion::of_double(from));
+    if !resolution.is_finite() || width.compare(&Proportion::of_double(resolution)).is_gt() {
+        return Err(format!("`time` is farther apart than the resolution {resolution:?}"));
+    }
+    Ok(())
+}
+
 /// Refuses intervals that do not follow each other from 0 to an end, and directions that are not finite.
 fn check_order(intervals: &[FreeInterval], end: f64) -> Result<(), String> {
-    use super::answer::MovingDirection::{A, B, Edges, Space};
     let mut reached = 0.0;
-    for FreeInterval { from, to, direction } in intervals {
-        if *from != reached {
-            return Err(format!("certificate: an interval begins at {from:?}, where {reached:?} is reached"));
+    for interval in intervals {
+        if interval.from != reached {
+            return Err(format!(
+                "certificate: an interval begins at {:?}, where {reached:?} is reached",
+                interval.from
+            ));
         }
-        if from.partial_cmp(to) != Some(std::cmp::Ordering::Less) {
-            return Err(format!("certificate: an interval goes from {from:?} to {to:?}"));
-        }
-        match direction {
-            Space(u) | A(u) | B(u) => check_finite("certificate: a direction", u)?,
-            Edges(edges) => check_finite("certificate: a direction", edges.iter().flatten())?,
-        }
-        reached = *to;
+        check_interval(interval)?;
+        reached = interval.to;
     }
     if reached == end {
         return Ok(());
     }
     Err(format!("certificate: the intervals end at {reached:?}, not at {end:?}"))
+}
+
+/// Refuses an interval that ends before it begins, and a direction that is not finite.
+pub(super) fn check_interval(FreeInterval { from, to, direction }: &FreeInterval) -> Result<(), String> {
+    use super::answer::MovingDirection::{A, B, Edges, Space};
+    if from.partial_cmp(to) != Some(std::cmp::Ordering::Less) {
+        return Err(format!("certificate: an interval goes from {from:?} to {to:?}"));
+    }
+    match direction {
+        Space(u) | A(u) | B(u) => check_finite("certificate: a direction", u),
+        Edges(edges) => check_finite("certificate: a direction", edges.iter().flatten()),
+    }
 }

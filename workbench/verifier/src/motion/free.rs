@@ -32,6 +32,12 @@ pub(super) struct Pair {
     pub(super) exponent: i32,
 }
 
+/// The solids of two bodies and their motions.
+pub(super) struct Moving<'a> {
+    pub(super) solids: [&'a Solid; 2],
+    pub(super) paths: &'a [Path; 2],
+}
+
 /// A part of an interval that is to be proved: two times in units of 2^-places.
 struct Part {
     from: IBig,
@@ -39,7 +45,7 @@ struct Part {
     bisections: usize,
 }
 
-impl Pair {
+impl Moving<'_> {
     /// Proves that the bodies are disjoint in an interval. The work that is done is taken from `work`.
     pub(super) fn prove_free(&self, interval: &FreeInterval, work: &mut u64) -> Result<(), Stop> {
         let FreeInterval { from, to, .. } = *interval;
@@ -69,7 +75,7 @@ impl Pair {
 
     /// Whether nothing moves but one body about an axis.
     fn is_one_turn(&self) -> bool {
-        let [a, b] = &self.paths;
+        let [a, b] = self.paths;
         (a.only_turns() && b.is_rest()) || (a.is_rest() && b.only_turns())
     }
 
@@ -90,11 +96,11 @@ impl Pair {
             return Err("an interval lies in no piece of a motion".into());
         };
         let bits = [a, b].map(|stretch| stretch.turns.iter().flatten().map(IBig::bit_len).max().unwrap_or(0));
-        let generators = self.solids.iter().map(|solid| solid.generators.len() as u64).sum::<u64>();
+        let generators = self.solids.iter().map(|solid| solid.size()).sum::<u64>();
         let step = 1 + (2 * (bits[0] + bits[1]) / BITS_A_STEP) as u64;
         let cost = (generators + 16) * direction.cost() * step * step;
         *work = work.checked_sub(cost).ok_or_else(|| Stop::Unchecked(TOO_MUCH.to_owned()))?;
-        let gap = gap(self.solids.each_ref(), [a, b], direction, self.is_one_turn());
+        let gap = gap(self.solids, [a, b], direction, self.is_one_turn());
         match gap.at_the_ends() {
             Ends::Open => Ok(gap.is_positive()),
             Ends::Closed => Err(unproved(interval).into()),

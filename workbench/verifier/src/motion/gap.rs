@@ -2,7 +2,8 @@
 //!
 //! Let d = |q|² for each body, a polynomial that is positive: times d_a d_b and both weights, the gap
 //! u · (c_b − c_a) − Σ |u · g| is a polynomial but for the magnitudes, and |Σ x_k B_k| ≤ Σ |x_k| B_k for Bernstein
-//! polynomials B_k ≥ 0. With R = R_aᵀ R_b, which d_a d_b makes a polynomial of degree four,
+//! polynomials B_k ≥ 0. Of a hull of corners c the farthest is taken for each k: max_c Σ x_k(c) B_k ≤ Σ max_c x_k(c) B_k,
+//! with both sides equal at the ends of the stretch. With R = R_aᵀ R_b, which d_a d_b makes a polynomial of degree four,
 //!
 //! | frame | u | u · R_a v | u · R_b v |
 //! | --- | --- | --- | --- |
@@ -30,13 +31,27 @@ use super::stretch::Stretch;
 use super::turning::ANGLE_PLACES;
 use crate::exact::grid::Grid;
 
-/// A body in units of lengths.
+/// A body in units of lengths: a centre, and from there a zonotope or the hull of corners.
 #[derive(Debug, Clone)]
 pub(super) struct Solid {
     pub(super) center: Vector,
     pub(super) generators: Vec<Vector>,
+    pub(super) corners: Vec<Vector>,
     /// A bound of the distances of its points from the axis, in units of 2^-32.
     pub(super) reach: IBig,
+}
+
+impl Solid {
+    /// The number of generators and corners.
+    pub(super) fn size(&self) -> u64 {
+        (self.generators.len() + self.corners.len()) as u64
+    }
+
+    /// The farthest that the body reaches from its centre along a direction.
+    fn farthest(&self, u: &Vector) -> IBig {
+        let of_generators: IBig = self.generators.iter().map(|g| dot(u, g).abs()).sum();
+        of_generators + self.corners.iter().map(|corner| dot(u, corner)).max().unwrap_or(IBig::ZERO)
+    }
 }
 
 /// A direction in whole numbers.
@@ -183,9 +198,11 @@ pub(super) fn gap(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Dir
     .collect();
     let bases = product(&polynomial::dot(&own.directions, &path), &own.cofactor);
     let arms = [0, 1].map(|i| sum(&multiple(&stretches[i].weight, &bodies[i].center), &stretches[i].arm));
-    let reach = |i: usize, u: &Vector| bodies[i].generators.iter().map(|g| dot(u, g).abs()).sum::<IBig>();
-    let of_a = seen_by_a.measured(|u| -(&b.weight * (dot(u, &arms[0]) + &a.weight * reach(0, u))));
-    let of_b = seen_by_b.measured(|u| &a.weight * (dot(u, &arms[1]) - &b.weight * reach(1, u)));
+    let of_a = seen_by_a.measured(|u| -(&b.weight * (dot(u, &arms[0]) + &a.weight * bodies[0].farthest(u))));
+    let of_b = seen_by_b.measured(|u| {
+        let back = u.each_ref().map(|c| -c);
+        &a.weight * (dot(u, &arms[1]) - &b.weight * bodies[1].farthest(&back))
+    });
     let weight = &a.weight * &b.weight;
     let off_by = |angles: [IBig; 2]| margin(bodies, stretches, direction, angles);
     Gap {

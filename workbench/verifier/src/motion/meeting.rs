@@ -10,7 +10,8 @@ use dashu_int::ops::Abs;
 
 use super::free::Pair;
 use super::gap::displacement;
-use super::quaternion::{Matrix, Vector, cross, dot, image, mixed_rotation, multiple, sum};
+use super::path::Path;
+use super::quaternion::{Matrix, Vector, cross, dot, image, mixed_rotation, multiple};
 use super::root::{ROOT_PLACES, quotient_above, root_above};
 use super::stretch::Stretch;
 use super::turning::ANGLE_PLACES;
@@ -42,35 +43,35 @@ struct Placed {
     first: usize,
 }
 
+/// The placements of both bodies at a time: more than one pair where a piece of a motion ends and another begins.
+pub(super) fn stretches_at(paths: &[Path; 2], time: f64) -> Vec<[Stretch; 2]> {
+    let exponent = paths.iter().flat_map(Path::breaks).chain([time, 1.0]);
+    let exponent = Grid::of(exponent).exponent().min(0);
+    let (time, places) = (Grid::at(exponent).units(time), exponent.unsigned_abs() as usize);
+    let [a, b] = paths.each_ref().map(|path| path.stretches([&time, &time], places));
+    a.iter().flat_map(|a| b.iter().map(|b| [a.clone(), b.clone()])).collect()
+}
+
 impl Pair {
     /// The bodies as they are placed at a time: more than once where a piece of a motion ends and another begins.
     fn placed_at(&self, time: f64) -> Vec<Placed> {
-        let exponent = self.paths.iter().flat_map(|path| path.breaks()).chain([time, 1.0]);
-        let exponent = Grid::of(exponent).exponent().min(0);
-        let (time, places) = (Grid::at(exponent).units(time), exponent.unsigned_abs() as usize);
-        let [a, b] = self.paths.each_ref().map(|path| path.stretches([&time, &time], places));
-        let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
-        pairs.map(|stretches| self.placed(stretches)).collect()
+        stretches_at(&self.paths, time).iter().map(|stretches| self.placed(stretches.each_ref())).collect()
     }
 
     fn placed(&self, stretches: [&Stretch; 2]) -> Placed {
         let rotations: [Matrix; 2] = stretches.map(|stretch| mixed_rotation(&stretch.turns[0], &stretch.turns[0]));
-        let squares = stretches.map(|stretch| dot(&stretch.turns[0], &stretch.turns[0]));
-        let [p, q] = stretches.map(|stretch| &stretch.weight);
-        let weight = p * q;
+        let scales = stretches.map(Stretch::scale);
         let place = |i: usize| {
-            let (solid, stretch) = (&self.solids[i], stretches[i]);
-            let arm = sum(&multiple(&stretch.weight, &solid.center), &stretch.arm);
-            let center = sum(&multiple(&squares[i], &stretch.base[0]), &image(&rotations[i], &arm));
-            let other = &squares[1 - i] * [q, p][i];
-            let factor = &squares[1 - i] * &weight;
+            let solid = &self.solids[i];
+            let center = multiple(&scales[1 - i], &stretches[i].image(&solid.center));
+            let factor = &scales[1 - i] * &stretches[i].weight;
             let generators = solid.generators.iter().map(|g| multiple(&factor, &image(&rotations[i], g)).to_vec());
-            (multiple(&other, &center).to_vec(), generators.collect::<Vec<_>>())
+            (center.to_vec(), generators.collect::<Vec<_>>())
         };
         let ((from, a), (to, b)) = (place(0), place(1));
         Placed {
             question: Displaced::of_vectors(from, to, [a, b].concat(), self.exponent),
-            scale: &squares[0] * &squares[1] * weight,
+            scale: &scales[0] * &scales[1],
             angles_off: stretches.map(|stretch| stretch.angle_off()),
             off: displacement(self.solids.each_ref(), stretches),
             first: self.solids[0].generators.len(),

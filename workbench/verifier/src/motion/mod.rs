@@ -7,6 +7,7 @@
 //! | `free` | an interval in which a direction separates the bodies, bisected where that is in doubt |
 //! | `gap` | the gap along a direction as a polynomial in the time |
 //! | `meeting` | a common point at one time, or two points near each other |
+//! | `of_meshes` | the same of two meshes of triangles, by parts of them |
 //! | `path` | motions, and their stretches between two times |
 //! | `stretch` | the placements between two times, as the checks read them |
 //! | `turning` | a rotation at constant rate, enclosed by stretches |
@@ -20,6 +21,7 @@ pub(crate) mod check;
 mod free;
 mod gap;
 mod meeting;
+pub(crate) mod of_meshes;
 pub(crate) mod path;
 mod polynomial;
 mod quaternion;

@@ -2,7 +2,7 @@
 
 use dashu_int::IBig;
 
-use super::quaternion::{Quaternion, Vector, cross, dot};
+use super::quaternion::{Quaternion, Vector, cross, dot, image, mixed_rotation, multiple, sum};
 use super::root::{ROOT_PLACES, quotient_above, root_above};
 
 /// A stretch of a motion: the placements x ↦ (P(s) + R(q(s)) (W x + arm)) / W for s in [0, 1], P and q linear, that are
@@ -25,6 +25,18 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
+    /// |q|² W at the begin, a positive number.
+    pub(super) fn scale(&self) -> IBig {
+        dot(&self.turns[0], &self.turns[0]) * &self.weight
+    }
+
+    /// The image of a point at the begin, times that number.
+    pub(super) fn image(&self, point: &Vector) -> Vector {
+        let turn = &self.turns[0];
+        let arm = sum(&multiple(&self.weight, point), &self.arm);
+        sum(&multiple(&dot(turn, turn), &self.base[0]), &image(&mixed_rotation(turn, turn), &arm))
+    }
+
     /// The bound of the angle, in units of 2^-160.
     pub(super) fn angle_off(&self) -> IBig {
         self.end_off() + &self.chord

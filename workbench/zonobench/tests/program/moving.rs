@@ -1,5 +1,7 @@
 //! `collide` and `sweep`: motions from files and options, the summary, and what is refused.
 
+mod meshes;
+
 use std::fs;
 
 use crate::run;

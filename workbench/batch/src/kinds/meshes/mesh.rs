@@ -1,7 +1,7 @@
 //! `mesh`: whether two meshes of triangles meet, in which pairs of triangles, or how far apart they are.
 
 use serde_json::{Value, json};
-use verifier::{MeshAnswer, Surface, Verdict, check_meshes};
+use verifier::{Body, MeshAnswer, Surface, Verdict, check_meshes};
 use zonotope::bvh::{Encounter, Mesh, MeshDistance, MeshError, Method};
 
 use crate::claimed::{Traced, boolean, float, indices, member, pose, vectors};
@@ -21,7 +21,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
 };
 
 /// The fields of a mesh.
-const MESH: [&str; 2] = ["vertices", "triangles"];
+pub(in crate::kinds) const MESH: [&str; 2] = ["vertices", "triangles"];
 
 /// The most triangles of both meshes.
 const TRIANGLE_LIMIT: usize = 1_000_000;
@@ -41,11 +41,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     let meshes = [mesh(&of_a, "a")?, mesh(&of_b, "b")?];
     let poses = [of_a.placement(SPACE)?, of_b.placement(SPACE)?].map(|placement| placement.of_space(1.0));
     let wants_pairs = fields.flag("pairs")?;
-    let triangles = meshes[0].triangles().len() + meshes[1].triangles().len();
-    if triangles > TRIANGLE_LIMIT {
-        let message = format!("{triangles} triangles, at most {TRIANGLE_LIMIT} of both meshes are taken");
-        return Err(Refusal::new(Code::TooLarge, message));
-    }
+    check_size(&meshes)?;
     let placed = [meshes[0].at(&poses[0]), meshes[1].at(&poses[1])];
     let result = if wants_pairs {
         let too_many =
@@ -61,7 +57,18 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     Ok(Solution { method: method.id(), result })
 }
 
-fn mesh(fields: &Fields<'_>, name: &str) -> Result<Mesh, Refusal> {
+/// Refuses meshes of too many triangles.
+pub(in crate::kinds) fn check_size(meshes: &[Mesh; 2]) -> Result<(), Refusal> {
+    let triangles: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+    if triangles <= TRIANGLE_LIMIT {
+        return Ok(());
+    }
+    let message = format!("{triangles} triangles, at most {TRIANGLE_LIMIT} of both meshes are taken");
+    Err(Refusal::new(Code::TooLarge, message))
+}
+
+/// The mesh of an object with vertices and triangles, before its pose.
+pub(in crate::kinds) fn mesh(fields: &Fields<'_>, name: &str) -> Result<Mesh, Refusal> {
     let (vertices, triangles) = (fields.vectors::<SPACE>("vertices")?, fields.triples("triangles")?);
     Mesh::new(vertices, triangles).map_err(|error| match error {
         MeshError::Empty => Refusal::new(Code::Empty, format!("{name} has no triangles")),
@@ -87,14 +94,14 @@ fn of_distance(distance: &MeshDistance) -> Value {
 }
 
 /// A mesh of a question, read for the check.
-struct Read {
-    vertices: Vec<Vec<f64>>,
-    triangles: Vec<Vec<usize>>,
+pub(in crate::kinds) struct Read {
+    pub(in crate::kinds) vertices: Vec<Vec<f64>>,
+    pub(in crate::kinds) triangles: Vec<Vec<usize>>,
     pose: Option<verifier::Pose>,
 }
 
 impl Read {
-    fn of(input: Traced<'_>, name: &str) -> Result<Self, String> {
+    pub(in crate::kinds) fn of(input: Traced<'_>, name: &str) -> Result<Self, String> {
         let mesh = member(input, name)?;
         let rows = member(mesh, "triangles")?.elements().ok_or("`triangles` is not a list")?;
         Ok(Self {
@@ -102,6 +109,19 @@ impl Read {
             triangles: rows.map(|row| positions(row, "triangles")).collect::<Result<_, _>>()?,
             pose: mesh.field("pose").map(|tree| pose(tree, SPACE)).transpose()?,
         })
+    }
+
+    /// The mesh where its pose puts it, in doubles.
+    pub(in crate::kinds) fn image(mut self) -> Result<Self, String> {
+        if let Some(pose) = self.pose.take() {
+            let none: &[Vec<f64>] = &[];
+            let image = |vertex: &Vec<f64>| {
+                let image = Body { center: vertex, generators: none, pose: Some(&pose) }.image();
+                image.map(|(image, _)| image).ok_or("the pose gives the mesh an image that no doubles hold")
+            };
+            self.vertices = self.vertices.iter().map(image).collect::<Result<_, _>>()?;
+        }
+        Ok(self)
     }
 
     fn surface(&self) -> Surface<'_> {
@@ -115,7 +135,7 @@ fn positions(row: Traced<'_>, name: &str) -> Result<Vec<usize>, String> {
     read.ok_or_else(|| format!("`{name}` holds something else than whole numbers"))
 }
 
-fn pair(positions: Vec<usize>, name: &str) -> Result<[usize; 2], String> {
+pub(in crate::kinds) fn pair(positions: Vec<usize>, name: &str) -> Result<[usize; 2], String> {
     positions.try_into().map_err(|_| format!("`{name}` is not a pair"))
 }
 

@@ -9,13 +9,17 @@ use verifier::{
 /// The resolution of a question that names none: 2^-30.
 const RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
-pub(super) fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<Verdict, String> {
+pub(super) fn check(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let motions = member(input, "motion")?;
     let [a, b] = [body(input, "a")?, body(input, "b")?];
     let [of_a, of_b] = [motion(motions, "a")?, motion(motions, "b")?];
-    let resolution = if input.field("resolution").is_some() { float(input, "resolution")? } else { RESOLUTION };
     let bodies = [moving(&a, &of_a), moving(&b, &of_b)];
-    Ok(check_first_contact(bodies, resolution, &answer(result)?).in_words())
+    Ok(check_first_contact(bodies, resolution(input)?, &answer(result)?).in_words())
+}
+
+/// The resolution of a question.
+pub(super) fn resolution(input: Traced<'_>) -> Result<f64, String> {
+    if input.field("resolution").is_some() { float(input, "resolution") } else { Ok(RESOLUTION) }
 }
 
 /// The centre and the generators of a body where its pose puts it.
@@ -48,7 +52,8 @@ fn answer(result: Traced<'_>) -> Result<FirstContactAnswer, String> {
     Ok(FirstContactAnswer { encounter, intervals: intervals.map(interval).collect::<Result<_, _>>()? })
 }
 
-fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
+/// A stretch with its direction.
+pub(super) fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
     let direction = match text(tree, "frame")? {
         "space" => MovingDirection::Space(numbers(tree, "direction")?),
         "a" => MovingDirection::A(numbers(tree, "direction")?),
@@ -65,13 +70,14 @@ fn interval(tree: Traced<'_>) -> Result<FreeInterval, String> {
 }
 
 /// As many finite numbers as are expected.
-fn numbers<const N: usize>(object: Traced<'_>, name: &str) -> Result<[f64; N], String> {
+pub(super) fn numbers<const N: usize>(object: Traced<'_>, name: &str) -> Result<[f64; N], String> {
     let found = vector(member(object, name)?, name)?;
     let count = found.len();
     found.try_into().map_err(|_| format!("`{name}` has {count} numbers, not {N}"))
 }
 
-fn motion(motions: Traced<'_>, name: &str) -> Result<Motion, String> {
+/// The motion of a body, which rests where none is stated.
+pub(super) fn motion(motions: Traced<'_>, name: &str) -> Result<Motion, String> {
     let Some(motion) = motions.field(name) else { return Ok(Motion::Rest) };
     let Some(pieces) = motion.field("pieces") else {
         return Ok(Motion::ConstantRate {

@@ -1,20 +1,24 @@
-//! `collide`: whether two moving zonotopes of space meet during a step of time, and when first.
+//! `collide`: whether two moving bodies of space meet during a step of time, and when first; both are zonotopes, or
+//! meshes of triangles.
 
 use serde_json::{Value, json};
+use verifier::Verdict;
 use zonotope::collision::Witness;
-use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
-use zonotope::motion::continuous::{FirstContact, FreeStretch, Method, SeparatingDirection};
+use zonotope::motion::continuous::{FirstContact, Method};
 
-use super::claimed_contact::check;
-use super::stated::motion;
+use super::stated::{motion, resolution};
+use super::written::interval;
+use super::{claimed_contact, claimed_mesh_contact, of_meshes};
+use crate::claimed::{Traced, member};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::meshes::mesh::MESH;
 use crate::kinds::{BODY, Kind, PLACED, Solution};
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {
     name: "collide",
-    summary: "when two moving zonotopes of space meet first, or that they do not",
+    summary: "when two moving zonotopes of space, or two meshes, meet first, or that they do not",
     fields: &["a", "b", "motion"],
     optional: &["resolution"],
     methods: || Method::ALL.map(Method::id).to_vec(),
@@ -28,6 +32,9 @@ const GENERATOR_LIMIT: usize = 200_000;
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
+    if of_meshes::are_meshes(["a", "b"].map(|name| fields.has_one_of(name, &MESH)))? {
+        return of_meshes::solve(fields, method);
+    }
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     let [a, b] = [bodies[0].image::<3>()?, bodies[1].image::<3>()?];
     let motions = fields.object("motion", &[], &["a", "b"])?;
@@ -42,16 +49,12 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     Ok(Solution { method: method.id(), result: result(&found) })
 }
 
-fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
-    if !fields.has("resolution") {
-        return Ok(DEFAULT_RESOLUTION);
+fn check(input: Traced<'_>, result: Traced<'_>, _method: Option<&str>) -> Result<Verdict, String> {
+    let is_mesh = |name: &str| member(input, name).map(|body| body.tree.field("triangles").is_some());
+    if is_mesh("a")? && is_mesh("b")? {
+        return claimed_mesh_contact::check(input, result);
     }
-    let resolution = fields.number("resolution")?;
-    if (FINEST_RESOLUTION..1.0).contains(&resolution) {
-        return Ok(resolution);
-    }
-    let message = format!("resolution is {resolution:?}, not from {FINEST_RESOLUTION:?} to below 1");
-    Err(Refusal::new(Code::BadEpsilon, message))
+    claimed_contact::check(input, result)
 }
 
 fn result(found: &FirstContact) -> Value {
@@ -71,19 +74,4 @@ fn result(found: &FirstContact) -> Value {
     }
     result["certificate"] = certificate;
     result
-}
-
-fn interval(stretch: &FreeStretch) -> Value {
-    let (frame, direction) = match &stretch.direction {
-        SeparatingDirection::Space(u) => ("space", vector_to_json(u)),
-        SeparatingDirection::First(u) => ("a", vector_to_json(u)),
-        SeparatingDirection::Second(u) => ("b", vector_to_json(u)),
-        SeparatingDirection::Edges(edges) => ("edges", edges.iter().map(|edge| vector_to_json(edge)).collect()),
-    };
-    json!({
-        "from": to_json(stretch.from),
-        "to": to_json(stretch.until),
-        "frame": frame,
-        "direction": direction,
-    })
 }

@@ -1,5 +1,7 @@
-//! Motions as questions state them: a rotation at constant rate, or pieces with a quaternion at either end.
+//! Motions as questions state them, a rotation at constant rate or pieces with a quaternion at either end, and the
+//! resolution of a contact.
 
+use zonotope::motion::continuous::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
 use zonotope::motion::{Motion, MotionError, MotionPiece};
 
 use crate::fields::Fields;
@@ -85,4 +87,17 @@ fn refused(place: &Place, error: MotionError) -> Refusal {
         }
         other => Refusal::bad_input(format!("{place}: {other}")),
     }
+}
+
+/// The resolution of a question, or the default.
+pub(super) fn resolution(fields: &Fields<'_>) -> Result<f64, Refusal> {
+    if !fields.has("resolution") {
+        return Ok(DEFAULT_RESOLUTION);
+    }
+    let resolution = fields.number("resolution")?;
+    if (FINEST_RESOLUTION..1.0).contains(&resolution) {
+        return Ok(resolution);
+    }
+    let message = format!("resolution is {resolution:?}, not from {FINEST_RESOLUTION:?} to below 1");
+    Err(Refusal::new(Code::BadEpsilon, message))
 }

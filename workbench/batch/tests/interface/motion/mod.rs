@@ -1,4 +1,5 @@
 //! Questions about bodies that move.
 
+mod meshes;
 mod moving;
 mod sweeps;

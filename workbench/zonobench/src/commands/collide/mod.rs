@@ -1,11 +1,13 @@
-//! `zonobench collide`: whether two zonotopes in motion meet, and when first.
+//! `zonobench collide`: whether two zonotopes or two meshes in motion meet, and when first.
 
+mod of_meshes;
 mod options;
 mod step;
 mod summary;
 
-use serde_json::json;
+use serde_json::Value;
 
+use self::of_meshes::AskedMeshes;
 pub use self::options::Options;
 pub(super) use self::step::Step;
 
@@ -15,7 +17,6 @@ use super::usage::{check_inputs, check_names, question_name};
 use crate::input::OptionNames;
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-use batch::json::to_json;
 
 /// Reads, solves, checks, and prints when the bodies meet first with the proof. A body whose image under its pose no
 /// doubles hold is asked about with the nearest ones, and the summary says how far off these are.
@@ -29,6 +30,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let names = [&options.a, &options.b];
+    if of_meshes::are_meshes(options)? {
+        let AskedMeshes { asked, request, motion, meshes } = of_meshes::asked(options)?;
+        let summary = |verdict: &Verdict| summary::of_meshes(options, &meshes, &motion, &asked, verdict);
+        return finished(options, &outputs, &asked, &request, summary);
+    }
     let formats = [options.format, options.placing_of_b.format(options.format)];
     let files = [
         placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
@@ -45,20 +51,25 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         _ => zonotope_of(&rounded[i].body),
     });
     let mut question = About::Collide.question(&name, &questions, None, None);
-    let resolution = options.step.resolution.map(to_json);
-    for place in [&mut request, &mut question["input"]] {
-        place["motion"] = motion.clone();
-        if let Some(resolution) = &resolution {
-            place["resolution"] = json!(resolution);
-        }
-    }
+    options.step.add(&motion, [&mut request, &mut question["input"]]);
     let asked = Asked::of(question)?;
-    let verdict = asked.verdict();
+    let summary = |verdict: &Verdict| summary::summary(options, (&bodies, &rounded), &motion, &asked, verdict);
+    finished(options, &outputs, &asked, &request, summary)
+}
 
-    let [question, answer] = asked.lines(request);
+/// Checks an answer, writes what is asked for, and prints the summary.
+fn finished(
+    options: &Options,
+    outputs: &Outputs,
+    asked: &Asked,
+    request: &Value,
+    summary: impl FnOnce(&Verdict) -> String,
+) -> anyhow::Result<Ending> {
+    let verdict = asked.verdict();
+    let [question, answer] = asked.lines(request.clone());
     let mut results = Results::default();
     results.add(options.question.as_ref(), || Ok(question));
     results.add(options.json.as_ref(), || Ok(answer));
-    outputs.finish(results, &summary::summary(options, (&bodies, &rounded), &motion, &asked, &verdict))?;
+    outputs.finish(results, &summary(&verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }

@@ -2,25 +2,31 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
 
 use super::step::Step;
-use crate::commands::asked::body_formats;
 use crate::commands::placing::{Placing, PlacingOfSecond};
 use crate::input::Format;
+
+/// The formats of zonotopes and of meshes, as the values of an option.
+fn formats() -> impl TypedValueParser<Value = Format> {
+    let names = ["csv", "json", "npy", "obj", "ply", "stl", "off"];
+    PossibleValuesParser::new(names).try_map(|name| Format::from_str(&name, false))
+}
 
 /// Options of `collide`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The first zonotope of space: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    /// The first body: a zonotope of space (csv, json, npy), or a mesh (obj, ply, stl, off); `-` is standard input.
     ///
     /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
-    /// arrays are generators.
+    /// arrays are generators. Faces of meshes that have more than three corners are cut into triangles.
     pub(super) a: PathBuf,
-    /// The second zonotope.
+    /// The second body: a zonotope beside a zonotope, a mesh beside a mesh.
     pub(super) b: PathBuf,
     /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
-    #[arg(long, value_parser = body_formats())]
+    #[arg(long, value_parser = formats())]
     pub(super) format: Option<Format>,
     #[command(flatten)]
     pub(super) step: Step,

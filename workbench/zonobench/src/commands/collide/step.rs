@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use batch::json::to_json;
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -54,5 +55,15 @@ impl Step {
             motions["b"] = read_motion(file)?;
         }
         Ok(motions)
+    }
+
+    /// Adds the motions, and the resolution if there is one, to a request and to the input of a question.
+    pub(super) fn add(&self, motion: &Value, places: [&mut Value; 2]) {
+        for place in places {
+            place["motion"] = motion.clone();
+            if let Some(resolution) = self.resolution {
+                place["resolution"] = to_json(resolution);
+            }
+        }
     }
 }

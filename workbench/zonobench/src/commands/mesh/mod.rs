@@ -6,10 +6,10 @@ mod reading;
 mod summary;
 
 pub use self::options::Options;
+pub(super) use self::reading::Read;
 
 use serde_json::json;
 
-use self::reading::Read;
 use super::Ending;
 use super::asked::Asked;
 use super::placing::put;

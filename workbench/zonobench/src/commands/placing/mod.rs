@@ -117,15 +117,27 @@ impl Placing {
     pub(super) fn read(&self, file: &Path, format: Option<Format>, options: OptionNames) -> anyhow::Result<BodyFile> {
         let layout = Layout { columns_are_generators: self.columns_are_generators, center_first: self.center_first };
         let (mut placed, origin) = BodySource { file: file.to_path_buf(), format, layout, options }.read(tell)?;
-        let dimension = placed.dimension();
+        placed.pose = self.after(placed.pose.take(), placed.dimension(), file, options)?;
+        Ok(BodyFile { placed, origin, layout })
+    }
+
+    /// The placement by the options after one that a file may state; none where neither states one.
+    pub(super) fn after(
+        &self,
+        first: Option<Placement>,
+        dimension: usize,
+        file: &Path,
+        options: OptionNames,
+    ) -> anyhow::Result<Option<Placement>> {
         let given = [
             self.pose.as_deref().map(|pose| pose_file::read(pose, dimension, options.pose)),
             self.turn.as_ref().map(|turn| turn.placement(dimension, options)),
             self.shift.as_ref().map(|shift| shift.placement(dimension, options.shift)),
         ];
+        let mut all = first;
         for next in given.into_iter().flatten() {
             let next = next?;
-            placed.pose = Some(match placed.pose {
+            all = Some(match all {
                 None => next,
                 Some(first) => {
                     let beyond = || anyhow!("{}: the poses lead beyond the range of doubles", file.display());
@@ -140,7 +152,13 @@ impl Placing {
                 }
             });
         }
-        Ok(BodyFile { placed, origin, layout })
+        Ok(all)
+    }
+
+    /// The name of an option that says which vectors are generators, if one is given.
+    pub(super) fn layout_given(&self) -> Option<&'static str> {
+        let columns = self.columns_are_generators.then_some("--columns-are-generators");
+        columns.or(self.center_first.then_some("--center-first"))
     }
 }
 

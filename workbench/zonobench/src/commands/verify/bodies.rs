@@ -10,9 +10,10 @@ use serde_json::Value;
 use super::about::{AboutData, NO_RECORD, OTHER_DATA, cannot_be_asked};
 use crate::commands::asked::{About, Recorded, zonotope_of};
 use crate::commands::asking::{Asking, PointOptions};
+use crate::commands::mesh::Read;
 use crate::commands::usage::question_name;
 use crate::commands::usage::{Usage, read_telling, tell};
-use crate::input::{BodySource, OptionNames, Reading, Wanted};
+use crate::input::{BodySource, Format, OptionNames, Reading, Wanted};
 
 /// The note where two files are those of the answer, but in the other order.
 const OTHER_ORDER: &str = "the files are those of the answer in the other order, and so it fails";
@@ -86,6 +87,14 @@ fn ask_again(
         if is_body {
             let chosen = asking.points.format.filter(|_| about != About::Contains);
             let (format, layout) = (chosen.or(record.points.format), record.layout);
+            if about == About::Collide && format.is_some_and(Format::is_mesh) {
+                let pose = record.pose.as_ref().map(|pose| read_pose(pose, 3)).transpose();
+                let pose = pose.map_err(|refusal| anyhow!("{}", refusal.message))?;
+                let read = Read::in_doubles(file, format, pose.as_ref())?;
+                hashes.push(read.sha256);
+                bodies.push(read.question);
+                continue;
+            }
             let (mut placed, origin) =
                 BodySource { file: file.clone(), format, layout, options: OptionNames::OF_FIRST }.read(tell)?;
             if let Some(pose) = &record.pose {
