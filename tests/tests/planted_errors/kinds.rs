@@ -7,7 +7,7 @@ use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, 
 use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
 use crate::moving::{encounters, sweeps};
 use crate::rationals::{minus, vector, vectors};
-use crate::{enclosures, meshes, proximity};
+use crate::{enclosures, meshes, moving, proximity};
 
 /// A right answer with one that was changed.
 struct Pair<'a> {
@@ -52,8 +52,14 @@ const ROWS: [Row; 20] = [
     },
     Row {
         kind: "collide",
-        has_fields: of_first_contact,
-        judge: |pair, _| encounters::judged(pair.input, pair.changed),
+        has_fields: |result| match result["certificate"].get("order") {
+            Some(_) => moving::meshes::has_its_fields(result),
+            None => of_first_contact(result),
+        },
+        judge: |pair, _| match pair.input["a"].get("triangles") {
+            Some(_) => moving::meshes::judged(pair.input, pair.changed),
+            None => encounters::judged(pair.input, pair.changed),
+        },
     },
     Row { kind: "mesh", has_fields: meshes::has_its_fields, judge: |pair, _| meshes::judged(pair.input, pair.changed) },
     Row {

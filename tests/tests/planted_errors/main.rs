@@ -171,6 +171,31 @@ proptest! {
     }
 }
 
+/// The corners of one triangle or two in small whole numbers, away from the origin or not.
+fn triangles(away: i32) -> impl Strategy<Value = Value> {
+    let corner = prop::array::uniform3(-2i32..3).prop_map(move |[x, y, z]| [x + away, y, z]);
+    (prop::collection::vec(corner, 4), 1usize..3).prop_map(|(vertices, count)| {
+        let triangles = [[0, 1, 2], [1, 2, 3]];
+        json!({"vertices": vertices, "triangles": triangles[..count]})
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(cases(12)))]
+
+    #[test]
+    fn in_first_contacts_of_meshes(
+        (a, b) in (triangles(0), triangles(4)),
+        turn in prop::array::uniform3(-2i32..3),
+        [axis_point, translation] in prop::array::uniform2(prop::array::uniform3(-4i32..5)),
+    ) {
+        let [x, y, z] = turn;
+        let motion = json!({"pieces": [{"until": 1, "from": [1, 0, 0, 0], "to": [2, x, y, z],
+            "axis_point": axis_point, "translation": translation}]});
+        errors_are_noticed("collide", &json!({"a": a, "b": b, "motion": {"b": motion}}))?;
+    }
+}
+
 /// Terms of least absolute deviations: normal, offset and weight.
 fn terms<const D: usize>() -> impl Strategy<Value = Vec<([f64; D], f64, f64)>> {
     let term = (prop::array::uniform(number()), number(), (0u8..3).prop_map(f64::from));

@@ -28,7 +28,8 @@ fn rows(value: &Value) -> Option<Vec<[f64; 3]>> {
     value.as_array()?.iter().map(floats).collect()
 }
 
-fn mesh(input: &Value, name: &str) -> Option<(Mesh, Pose)> {
+/// A mesh of a question with its pose.
+pub fn mesh(input: &Value, name: &str) -> Option<(Mesh, Pose)> {
     let corner = |value: &Value| index(value).and_then(|at| u32::try_from(at).ok());
     let triangle = |row: &Value| -> Option<[u32; 3]> {
         row.as_array()?.iter().map(corner).collect::<Option<Vec<u32>>>()?.try_into().ok()

@@ -2,8 +2,9 @@
 //!
 //! Let d = |q|² for each body, a polynomial that is positive: times d_a d_b and both weights, the gap
 //! u · (c_b − c_a) − Σ |u · g| is a polynomial but for the magnitudes, and |Σ x_k B_k| ≤ Σ |x_k| B_k for Bernstein
-//! polynomials B_k ≥ 0. Of a hull of corners c the farthest is taken for each k: max_c Σ x_k(c) B_k ≤ Σ max_c x_k(c) B_k,
-//! with both sides equal at the ends of the stretch. With R = R_aᵀ R_b, which d_a d_b makes a polynomial of degree four,
+//! polynomials B_k ≥ 0. Of a hull of corners c the farthest is taken for each k: max_c Σ x_k(c) B_k is at most
+//! Σ max_c x_k(c) B_k, and both are equal at the ends of the stretch. With R = R_aᵀ R_b, which d_a d_b makes a
+//! polynomial of degree four,
 //!
 //! | frame | u | u · R_a v | u · R_b v |
 //! | --- | --- | --- | --- |

@@ -16,8 +16,8 @@ use dashu_int::IBig;
 /// The work on all stretches of an answer: a corner along a direction is one, and more where numbers are long.
 const MOST_WORK: u64 = 100_000_000;
 
-/// Proves when two moving meshes meet first, or that they do not, or says what fails. A contact is between two times not
-/// farther apart than the resolution.
+/// Proves when two moving meshes meet first, or that they do not, or says what fails. A contact is between two times
+/// not farther apart than the resolution.
 pub fn check_mesh_contact(surfaces: [MovingSurface<'_>; 2], resolution: f64, answer: &MeshContactAnswer) -> Verdict {
     proved(surfaces, resolution, answer).into()
 }
