@@ -3,8 +3,8 @@
 //! **Idea.** The triangles of each mesh are put in an order, and a part of a mesh is a run of that order. A stretch of
 //! time with a direction proves two parts free, as an interval does two zonotopes: the gap is that of the hulls of
 //! their corners. Each such proof is a box, positions by positions by times, and the boxes must hold all pairs of
-//! triangles until the contact or the doubt: `cover` looks for one that is left out. At a contact the two triangles are placed in
-//! whole numbers, and meet. Of a grazing nothing is proved but that the meshes are disjoint before.
+//! triangles until the contact or the doubt: `cover` looks for one that is left out. At a contact the two triangles are
+//! placed in whole numbers, and meet. Of a grazing nothing is proved but that the meshes are disjoint before.
 //!
 //! **Cost.** The corners of the parts of every stretch once for each direction that is measured; for k stretches of a
 //! hierarchy that was descended O(k log k) steps, times its height at worst, for the cover.
