@@ -230,6 +230,17 @@ pub enum Problem {
         /// The number that there should be.
         wanted: &'static str,
     },
+    /// The cells between commas may be the halves of numbers with decimal commas, so columns are not to be chosen yet.
+    #[error(
+        "has {cells} columns; if their commas are decimal ones, separate the cells by semicolons or tabs, else {}",
+        choice(*cells, wanted)
+    )]
+    HalvesOrColumns {
+        /// Cells in the first row.
+        cells: usize,
+        /// The number that there should be.
+        wanted: &'static str,
+    },
     /// The rows of a table have one cell, and points need more.
     #[error("has 1 column, and points of the plane or of space need two or three; {0}")]
     OneColumn(String),

@@ -70,7 +70,10 @@ impl Format {
                 Problem::ForeignFormat(extension.to_string_lossy().into_owned())
             }
             (None, Some(extension)) => Problem::UnreadFormat(extension.to_string_lossy().into_owned()),
-            (None, None) => Problem::UnknownFormat,
+            (None, None) => match file.metadata() {
+                Err(error) if file.as_os_str() != "-" => Problem::Unreadable(error),
+                _ => Problem::UnknownFormat,
+            },
         };
         Err(problem.at(file, Place::File))
     }

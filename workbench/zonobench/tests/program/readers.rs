@@ -142,6 +142,10 @@ fn files() {
     let outcome = run(folder.path(), &["enclose", "absent.csv"]);
     assert!(outcome.stderr.starts_with("zonobench: absent.csv: cannot be read: No such file"), "{}", outcome.stderr);
     assert_eq!((outcome.status, outcome.stderr.lines().count()), (1, 1));
+    for words in [["enclose", "absent"], ["inspect", "absent"], ["inspect", "absent.dat"]] {
+        let told = format!("zonobench: {}: cannot be read: No such file or directory (os error 2)\n", words[1]);
+        assert_eq!(run(folder.path(), &words).stderr, told, "{words:?}");
+    }
     for words in [&["enclose", "."][..], &["enclose", ".", "--format", "csv"], &["inspect", "."]] {
         assert_eq!(run(folder.path(), words).stderr, "zonobench: .: is a folder, not a file\n", "{words:?}");
     }

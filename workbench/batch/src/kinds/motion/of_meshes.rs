@@ -14,7 +14,8 @@ use crate::kinds::{PLACED, Solution};
 use crate::placement::{Placement, doubles};
 use crate::refusal::{Code, Refusal};
 
-/// The volume of the nodes: one of three generators is as good as a box along the axes to the proofs, and tighter.
+/// The volume of the nodes: an oriented box is tighter than one along the axes, and both are zonotopes of three
+/// generators to the proofs.
 type Hierarchy = Bvh<OrientedBox>;
 
 /// The most stretches of a proof that are written.

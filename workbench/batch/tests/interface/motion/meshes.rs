@@ -1,21 +1,9 @@
 //! Moving meshes: answers by hand, statuses at sampled times, refusals by name, and changed answers that are found out.
 
-use batch::{Verdict, answer, verify};
+use batch::{answer, verify};
 use serde_json::{Value, json};
 
-fn asked(input: &Value) -> (String, Value) {
-    let question = json!({"id": "q", "kind": "collide", "input": input}).to_string();
-    let answered = answer(&question);
-    (question, serde_json::from_str(&answered).expect("an answer is JSON"))
-}
-
-/// The result of a question, which the verifier must find right.
-fn right(input: &Value) -> Value {
-    let (question, answer) = asked(input);
-    let verdict = verify(&question, &answer.to_string());
-    assert!(matches!(verdict, Verdict::Right(_)), "{question}\n{answer}\n{verdict:?}");
-    answer["result"].clone()
-}
+use super::{asked, right};
 
 fn mesh(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Value {
     json!({"vertices": vertices, "triangles": triangles})

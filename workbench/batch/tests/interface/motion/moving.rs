@@ -1,21 +1,9 @@
 //! Bodies in motion: statuses by hand, refusals by name, and errors planted in certificates, none of which is right.
 
-use batch::{Verdict, answer, verify};
+use batch::{Verdict, verify};
 use serde_json::{Value, json};
 
-fn asked(input: &Value) -> (String, Value) {
-    let question = json!({"id": "q", "kind": "collide", "input": input}).to_string();
-    let answered = answer(&question);
-    (question, serde_json::from_str(&answered).expect("an answer is JSON"))
-}
-
-/// The result of a question, which the verifier must find right.
-fn right(input: &Value) -> Value {
-    let (question, answer) = asked(input);
-    let verdict = verify(&question, &answer.to_string());
-    assert!(matches!(verdict, Verdict::Right(_)), "{question}\n{answer}\n{verdict:?}");
-    answer["result"].clone()
-}
+use super::{asked, right};
 
 fn cube(center: [f64; 3]) -> Value {
     json!({"center": center, "generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]})

@@ -11,7 +11,6 @@ mod zonotope;
 
 pub use self::zonotope::Body;
 use self::zonotope::body;
-use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use super::bytes::read_limited;
@@ -70,10 +69,14 @@ impl BodySource {
         if let Some(format) = self.format.or_else(|| Format::of_extension(file)) {
             return Ok(format);
         }
+        if let Err(error) = file.metadata()
+            && file.as_os_str() != "-"
+        {
+            return Err(Problem::Unreadable(error));
+        }
         let choice = format!("say csv, json or npy by {}", self.options.format);
         Err(match file.extension() {
             _ if file.is_dir() => Problem::Shape("is a folder, not a file".to_owned()),
-            _ if file.as_os_str() != "-" && !file.exists() => Problem::Unreadable(ErrorKind::NotFound.into()),
             Some(extension) => Problem::Shape(format!(
                 "files that end in .{} are not read as zonotopes; if it holds one, {choice}",
                 on_one_line(&extension.to_string_lossy())

@@ -27,6 +27,17 @@ pub(super) fn available(first: &ByteRecord) -> String {
     cells(first).into_iter().enumerate().map(named).collect::<Vec<_>>().join(", ")
 }
 
+/// Whether a row such as `0,5,-1,25` between commas may hold numbers with decimal commas: behind each whole number
+/// there are digits alone.
+pub(super) fn may_be_halves(first: &ByteRecord, separator: u8) -> bool {
+    let has_digits = |cell: &[u8]| !cell.is_empty() && cell.iter().all(u8::is_ascii_digit);
+    let is_half = |(place, cell): (usize, &[u8])| {
+        let cell = cell.trim_ascii();
+        has_digits(if place % 2 == 0 { cell.strip_prefix(b"-").unwrap_or(cell) } else { cell })
+    };
+    separator == b',' && first.len() >= 4 && first.len().is_multiple_of(2) && first.iter().enumerate().all(is_half)
+}
+
 /// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
 /// of an unknown separator leave it.
 pub(super) fn joins_digits(cell: &str) -> bool {

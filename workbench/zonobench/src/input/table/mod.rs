@@ -15,7 +15,7 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::advice::{available, joins_digits, may_be_atoms};
+use self::advice::{available, joins_digits, may_be_atoms, may_be_halves};
 use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_grid, is_text, opening, text_above_number};
@@ -318,6 +318,7 @@ impl<'a> Table<'a> {
         }
         let problem = match cells {
             1 => Problem::OneColumn(self.advice_on_one_column(first)),
+            _ if may_be_halves(first, self.text.separator()) => Problem::HalvesOrColumns { cells, wanted },
             _ => Problem::ChooseColumns { cells, wanted },
         };
         Err(problem.at(self.file, Place::File))

@@ -31,6 +31,15 @@ fn decimal_commas_are_read_where_they_are_plain_and_refused_by_name_elsewhere() 
     assert!(complaint("\"1,234.5\",2\n3,4\n", None).contains("separators of thousands"));
     assert!(complaint("0,5:0,5\n1,5:0,5\n", None).contains("column 2: '5:0' is not a number; if commas are decimal"));
     assert_eq!(complaint("0,5|0,5\n1,5|0,5\n", Some("1,3")), complaint("0,5;0,5\n1,5;0,5\n", Some("1,3")));
+    for halves in ["0,5,0,5\n1,5,0,5\n", "-0,5,1,25\n1,5,0,5\n", "0,5,1,5,2,5\n1,5,0,5,2,0\n"] {
+        assert!(
+            complaint(halves, None).contains("if their commas are decimal ones, separate the cells by"),
+            "{halves}"
+        );
+    }
+    for columns in ["0,5,0,-5\n", "0,5,0.5,1\n", "0\t5\t0\t5\n", "1,2,3,4,5\n"] {
+        assert!(complaint(columns, None).contains("column(s); choose two with --columns"), "{columns}");
+    }
     assert!(complaint("x,y\n0,5,1,5\n", None).contains("if its commas are decimal ones, separate the cells by"));
 }
 
