@@ -235,6 +235,9 @@ const MUTANTS: u32 = 24_000;
 /// The variable of the environment that names another number of mutants.
 const MUTANTS_VARIABLE: &str = "ZONOTOPE_MUTANTS";
 
+/// The fewest questions of a kind: of one answer alone, nearly every mutant may happen to be another proof.
+const FEWEST_QUESTIONS: usize = 5;
+
 /// A message shows so many faults of a kind.
 const SHOWN: usize = 3;
 
@@ -242,7 +245,7 @@ const SHOWN: usize = 3;
 fn mutants_are_judged_as_by_the_definition(population: Population) {
     let wanted = std::env::var(MUTANTS_VARIABLE)
         .map_or(cases(MUTANTS) as usize, |text| text.parse().expect("a number of mutants"));
-    let questions = wanted.div_ceil(KINDS.len() * MUTANTS_AN_ANSWER);
+    let questions = wanted.div_ceil(KINDS.len() * MUTANTS_AN_ANSWER).max(FEWEST_QUESTIONS);
     let mut counts: BTreeMap<String, Counts> = BTreeMap::new();
     let mut faults = Vec::new();
     for (number, kind) in (1..).zip(KINDS) {

@@ -14,7 +14,7 @@ use crate::bounds::Known;
 use crate::{kinds, mutation};
 
 /// Each answer is changed so many times.
-pub const MUTANTS_AN_ANSWER: usize = 250;
+pub const MUTANTS_AN_ANSWER: usize = 50;
 
 /// The answers to so many questions that differ from the question by one number are held against it.
 const NEIGHBOURS: usize = 6;

@@ -6,17 +6,22 @@ use std::time::{Duration, Instant};
 use batch::{Verdict, answer, verify};
 use serde_json::Value;
 
-/// The time for each question, on a loaded machine as well; by itself none takes a twentieth of it.
-const LIMIT: Duration = Duration::from_secs(5);
+/// The time for each question. The least of some tries is held to it, as a loaded machine may interrupt one of them.
+const LIMIT: Duration = Duration::from_millis(500);
+const TRIES: usize = 4;
 
 #[test]
 fn hard_questions_are_answered_soon_and_proved_whole() {
     for line in include_str!("hard_questions.jsonl").lines() {
-        let begin = Instant::now();
         let answered = answer(line);
-        let (time, verdict) = (begin.elapsed(), verify(line, &answered));
+        let verdict = verify(line, &answered);
         assert!(matches!(verdict, Verdict::Right(_)), "{verdict:?}: {line} {answered}");
-        assert!(time < LIMIT, "{time:?}: {line}");
+        let soon = (0..TRIES).any(|_| {
+            let begin = Instant::now();
+            assert_eq!(answer(line), answered, "{line}");
+            begin.elapsed() < LIMIT
+        });
+        assert!(soon, "{line}");
     }
 }
 
