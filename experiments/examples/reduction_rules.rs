@@ -2,9 +2,10 @@
 //! number of generators, with the exponent of a power law, for every family of bodies and every rule; and what
 //! Lemma 5.5 needs beside cluster sums for one precision.
 //!
-//! `cargo run --release -p experiments --example reduction_rules -- [family or all] [n] [largest k] [rule]`. Distances
-//! are upper bounds, in space within one per cent of the lower ones and above within ten, where a `~` does not say
-//! otherwise.
+//! `cargo run --release -p experiments --features studies --example reduction_rules --
+//! [family or all] [n] [largest k] [rule]`.
+//! Distances are upper bounds, in space within one per cent of the lower ones and above within ten, where a `~` does
+//! not say otherwise.
 
 use std::env;
 use std::time::Instant;

@@ -1,9 +1,10 @@
 //! The slowest questions of collision, beside the usual ones: for each family and size of bodies, the median time of
 //! the kernel over questions at every placement, and the questions that take longest, with the rungs that answered.
 //!
-//! `cargo run --release -p experiments --example slowest_questions -- 1050 [family]` asks so many questions of each
-//! family and size, a tenth of a million in all. Each is asked three times, of which the least time counts: what a
-//! busy machine adds is not the question's. An answer that contradicts the construction ends the program.
+//! `cargo run --release -p experiments --features studies --example slowest_questions -- 1050 [family]` asks so many
+//! questions of each family and size, a tenth of a million in all. Each is asked three times, of which the least time
+//! counts: what a busy machine adds is not the question's. An answer that contradicts the construction ends the
+//! program.
 
 use std::env;
 use std::time::Instant;

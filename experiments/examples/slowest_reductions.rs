@@ -1,9 +1,9 @@
 //! The slowest locations, reductions, distances of bodies and enclosures of points, beside the usual ones: for each
 //! kind of question and family of vectors the median time, and the questions that take longest.
 //!
-//! `cargo run --release -p experiments --example slowest_reductions -- 200 [kind] [family]` asks so many questions of
-//! each kind and family, of one to six dimensions and up to a thousand vectors: generators, or points. Times are those
-//! of the processor where they are long and the system tells them, else those of a clock.
+//! `cargo run --release -p experiments --features studies --example slowest_reductions -- 200 [kind] [family]` asks so
+//! many questions of each kind and family, of one to six dimensions and up to a thousand vectors: generators, or
+//! points. Times are those of the processor where they are long and the system tells them, else those of a clock.
 
 use std::env;
 use std::fs;

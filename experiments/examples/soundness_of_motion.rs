@@ -2,8 +2,9 @@
 //! answer is held to samples with a bound of how far the bodies move between them. Beside it are the collisions that
 //! samples at equal steps and hulls of end poses miss on the same motions.
 //!
-//! `cargo run --release -p experiments --example soundness_of_motion -- 1000000 20000` asks about so many random and
-//! crafted motions. A collision that is missed, or a proof that is refused, ends the program with an error.
+//! `cargo run --release -p experiments --features studies --example soundness_of_motion -- 1000000 20000` asks about
+//! so many random and crafted motions. A collision that is missed, or a proof that is refused, ends the program with
+//! an error.
 
 use std::process::ExitCode;
 use std::time::Instant;
