@@ -52,7 +52,7 @@ impl FittedGrowth {
     pub fn verdict(&self) -> Option<ModelVerdict> {
         let fit = self.bound_fit()?;
         if let (Some(most), Some(greatest)) = (self.bound?.most, self.greatest()) {
-            return Some(if greatest <= most { ModelVerdict::Within } else { ModelVerdict::Above });
+            return Some(if greatest <= most { ModelVerdict::Kept } else { ModelVerdict::Above });
         }
         let is_at_floor = self.floor == Some(fit.model) && fit.verdict == ModelVerdict::Below;
         Some(if is_at_floor { ModelVerdict::Within } else { fit.verdict })
@@ -299,7 +299,7 @@ mod tests {
         };
         let verdict = |bound: Bound| of_plan("toy", &plan.within(bound), &records)[0].verdict();
         assert_eq!(verdict(Bound::of_paper(GrowthModel::Constant, "Lemma 0")), Some(ModelVerdict::Undecided));
-        assert_eq!(verdict(Bound::number_of_paper(90.0, "Lemma 0")), Some(ModelVerdict::Within));
+        assert_eq!(verdict(Bound::number_of_paper(90.0, "Lemma 0")), Some(ModelVerdict::Kept));
         assert_eq!(verdict(Bound::number_of_paper(89.0, "Lemma 0")), Some(ModelVerdict::Above));
         let fits = of_plan("toy", &plan.within(Bound::number_of_paper(100.0, "Lemma 0")), &records);
         assert_eq!((fits[0].greatest(), fits[0].beside_number()), (Some(90.0), Some(90.0)));

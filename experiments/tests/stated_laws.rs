@@ -62,17 +62,13 @@ fn stated<const N: usize>(file: &str, phrase: &str) -> [f64; N] {
     numbers.try_into().expect("there is a number for each place")
 }
 
-/// The generators and nodes that a query reads, of the middle one of some instances.
-fn reads(family: &'static str, method: &'static str, n: usize) -> f64 {
-    let mut reads: Vec<f64> = (0..3)
-        .map(|instance| {
-            let case = Case::new(2003, tree_queries::EXPERIMENT.id, family, method, n, instance);
-            let measured: Result<Measurement, String> = (tree_queries::EXPERIMENT.measure)(&case);
-            CountRow::new(&case, measured).value("reads").expect("each case is answered")
-        })
-        .collect();
-    reads.sort_by(f64::total_cmp);
-    reads[1]
+/// The generators and nodes that a query reads, of each of three instances.
+fn reads(family: &'static str, method: &'static str, n: usize) -> [f64; 3] {
+    [0, 1, 2].map(|instance| {
+        let case = Case::new(2003, tree_queries::EXPERIMENT.id, family, method, n, instance);
+        let measured: Result<Measurement, String> = (tree_queries::EXPERIMENT.measure)(&case);
+        CountRow::new(&case, measured).value("reads").expect("each case is answered")
+    })
 }
 
 #[test]
@@ -80,11 +76,13 @@ fn a_query_to_a_tree_reads_what_its_documentation_says() {
     let [low, high] = stated(TREE, "reads {} to {} √n nodes");
     let [most] = stated(TREE, "up to {} times what the kernel reads without a tree");
     let mut worst = 0.0f64;
-    for n in [1 << 10, 1 << 12, 1 << 14] {
-        let roots = reads("random_bodies", "by_direction_tree", n) / (n as f64).sqrt();
+    for n in [1 << 10, 1 << 12, 1 << 13, 1 << 14] {
+        let mut random = reads("random_bodies", "by_direction_tree", n);
+        random.sort_by(f64::total_cmp);
+        let roots = random[1] / (n as f64).sqrt();
         assert!((low..=high).contains(&roots), "{roots} √n for n = {n}");
         let [tree, kernel] = ["by_direction_tree", "by_lad"].map(|method| reads("near_plane_bodies", method, n));
-        worst = worst.max(tree / kernel);
+        worst = tree.iter().zip(kernel).map(|(tree, kernel)| tree / kernel).fold(worst, f64::max);
     }
     assert!(worst <= most, "{worst} times the kernel's reads");
 }

@@ -28,7 +28,7 @@ pub(crate) fn evidence_beside(ratio: &str, samples: &[(f64, f64)], model: Growth
     let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
     let sentence = format!("{ratio} grow with exponent {value} in [{low}, {high}]");
     match fit.verdict {
-        ModelVerdict::Within | ModelVerdict::Below => Ok(sentence),
+        ModelVerdict::Within | ModelVerdict::Below | ModelVerdict::Kept => Ok(sentence),
         ModelVerdict::Above => Err(format!("{sentence}, above the bound")),
         ModelVerdict::Undecided => Err(format!("{sentence}, which leaves the bound undecided")),
     }

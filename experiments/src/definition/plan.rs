@@ -53,7 +53,8 @@ impl Bound {
         Self { model, most: None, stated_by: StatedBy::Paper(place) }
     }
 
-    /// A number that the paper's proof gives for the quantity, at a place such as "Lemma 5.5".
+    /// A number for the quantity that follows from the paper's bound with constants that are named with its place, such
+    /// as "Lemma 5.5 with c = 24".
     pub const fn number_of_paper(most: f64, place: &'static str) -> Self {
         Self { model: GrowthModel::Constant, most: Some(most), stated_by: StatedBy::Paper(place) }
     }

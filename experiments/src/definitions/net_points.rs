@@ -38,9 +38,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     ..Experiment::COUNTED
 };
 
-/// The directions of the paper's net: the middles of the cells, and the axes.
-fn net() -> Vec<[f64; 2]> {
-    let mut net = cell_middles::<2>(CELLS);
+/// The directions of the paper's net of the plane: the middles of so many cells along a side, and the axes.
+fn net(cells: usize) -> Vec<[f64; 2]> {
+    let mut net = cell_middles::<2>(cells);
     for axis in [[1.0, 0.0], [0.0, 1.0]] {
         if !net.contains(&axis) {
             net.push(axis);
@@ -51,9 +51,14 @@ fn net() -> Vec<[f64; 2]> {
 
 fn measure(case: &Case) -> Result<Measurement, String> {
     let Cloud::Plane(points) = case.cloud()? else { return Err("only points of the plane are enclosed".to_owned()) };
-    let directions = net();
+    along_net(&points, CELLS)
+}
+
+/// The paper's program along the paper's net of so many cells along a side.
+pub(super) fn along_net(points: &[[f64; 2]], cells: usize) -> Result<Measurement, String> {
+    let directions = net(cells);
     let weights = vec![1.0; directions.len()];
-    let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
+    let problem = FixedDirections::new(points, &directions, &weights).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
     let answer = solve("papers_program", &problem, &mut counts)?;
     let verdict = Verdict::of_verifier("check_min_length_dirs_bounds", check_min_length_dirs_bounds(&problem, &answer));
@@ -70,6 +75,6 @@ mod tests {
     #[test]
     fn the_directions_are_the_net_for_three_of_32() {
         let size = Net::Paper.size(2, 3.0 / 32.0);
-        assert!(net().len() == 46 && net().len() <= size && size == 2 * CELLS + 2);
+        assert!(net(CELLS).len() == 46 && net(CELLS).len() <= size && size == 2 * CELLS + 2);
     }
 }

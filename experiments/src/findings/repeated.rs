@@ -20,7 +20,7 @@ pub(super) static FINDINGS: &[Findings] = &[
             |found| {
                 course(
                     found,
-                    "The number of operations to find a trapezoid",
+                    "The number of steps, comparisons and lines looked at to find a trapezoid and the optimum in it",
                     CUTTING,
                     Quantity::Value("to_find_it"),
                     plain,

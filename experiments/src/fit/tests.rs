@@ -56,7 +56,8 @@ fn an_interval_that_reaches_beyond_the_slack_is_undecided() {
     }
     assert_eq!(ModelVerdict::of(estimate(-1.9, -0.06)), ModelVerdict::Below);
     assert_eq!(ModelVerdict::of(estimate(0.06, 1.9)), ModelVerdict::Above);
-    assert_eq!(ModelVerdict::ALL.map(ModelVerdict::keeps_bound), [Some(true), Some(true), Some(false), None]);
+    let keeps = [Some(true), Some(true), Some(true), Some(false), None];
+    assert_eq!(ModelVerdict::ALL.map(ModelVerdict::keeps_bound), keeps);
 }
 
 #[test]

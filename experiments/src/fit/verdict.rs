@@ -22,7 +22,9 @@ pub enum ModelVerdict {
     Within,
     /// The whole interval is below minus the slack.
     Below,
-    /// The whole interval is above the slack.
+    /// The bound is a number, and no sample exceeds it; no law is fitted for that.
+    Kept,
+    /// The whole interval is above the slack, or a sample exceeds a bound that is a number.
     Above,
     /// The interval reaches beyond the slack, and has a part that does not.
     Undecided,
@@ -30,7 +32,7 @@ pub enum ModelVerdict {
 
 impl ModelVerdict {
     /// Every verdict: those that keep the bound, that which breaks it, that which leaves it open.
-    pub const ALL: [Self; 4] = [Self::Within, Self::Below, Self::Above, Self::Undecided];
+    pub const ALL: [Self; 5] = [Self::Within, Self::Below, Self::Kept, Self::Above, Self::Undecided];
 
     /// The verdict on the exponent of y / M(n).
     pub fn of(excess: Estimate) -> Self {
@@ -48,7 +50,7 @@ impl ModelVerdict {
     /// Whether the samples keep the bound; `None` while that is open.
     pub fn keeps_bound(self) -> Option<bool> {
         match self {
-            Self::Within | Self::Below => Some(true),
+            Self::Within | Self::Below | Self::Kept => Some(true),
             Self::Above => Some(false),
             Self::Undecided => None,
         }

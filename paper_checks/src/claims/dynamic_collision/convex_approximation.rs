@@ -15,7 +15,7 @@ pub static CLAIM: Claim = Claim {
         O(1/eps) vertices",
     code: &["zonotope::reduction"],
     check: Check::Run(check),
-    tried: Tried::On(&["ellipsoids"]),
+    tried: Tried::On(&["the ball"]),
     ..Claim::LISTED
 };
 

@@ -17,7 +17,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The linear program is solved in polynomial time by interior methods, and so in O(k^O(d)) time",
     code: &["zonotope::enclosing::fixed_directions::papers_program", "zonotope::linear_program"],
     check: Check::Run(check),
-    tried: Tried::Growth(&["directions of R^2", "directions of R^3"]),
+    tried: Tried::Growth(&["directions of R^2 and R^3"]),
     ..Claim::LISTED
 };
 

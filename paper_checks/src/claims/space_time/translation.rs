@@ -14,8 +14,7 @@ pub static CLAIM: Claim = Claim {
     id: "pure-translation",
     place: Place { section: "6", label: "third paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Adding the translation vector to the generators, with the centre moved by half of it, gives exactly \
-        the volume swept by a translating zonotope",
+    statement: "A translating zonotope sweeps exactly a zonotope of one generator more, which is along the translation",
     remedy: Some("the added generator is half the translation where generators are half-lengths: see the erratum"),
     code: &["zonotope::motion::space_time::by_farthest_vertex"],
     check: Check::Run(check),

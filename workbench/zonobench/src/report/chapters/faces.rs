@@ -69,7 +69,7 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let full = |extreme: &Extreme| extreme.number == (extreme.n * (extreme.n - 1)) as f64;
     let (most, rest) = (facets.first()?, facets.iter().filter(|extreme| !full(extreme)));
     let fewer: Vec<String> = rest.filter_map(|extreme| counted(found, &extreme.input)).collect();
-    let relation = if full(most) { "exactly the paper's n(n − 1)" } else { "fewer than n(n − 1)" };
+    let relation = if full(most) { "n(n − 1), the most there can be" } else { "fewer than n(n − 1)" };
     Some(format!(
         "A short list stands for a large body: {} generators make {} facets, {relation}, on {} of {} kinds of bodies; \
          the others have {}.",

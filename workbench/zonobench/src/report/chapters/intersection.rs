@@ -66,8 +66,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let passes = range(ends.iter().map(|end| end.number))?;
     let [_, ever] = found.extremes("gauge-passes", "by_lad", PASSES, words::plain)?;
     Some(format!(
-        "Of {} questions about bodies apart, overlapping and nearly touching, the kernel gets {} wrong and proves \
-         every answer; our own GJK in floating point gets {} of {} wrong, and to {} it finds no answer. The median \
+        "Of {} questions about bodies apart, overlapping and nearly touching, the kernel gets {} wrong; \
+         our own GJK in floating point gets {} of {} wrong, and to {} it finds no answer. The median \
          number of passes that an exact gauge takes over {} generators is {}, by the kind of bodies; the most at \
          any size are {}.",
         total("by_lad", "asked")?,

@@ -127,15 +127,17 @@ fn findings(part: &Part<'_>, evidence: &Evidence) -> String {
     let mut lines = Vec::new();
     let verdicts: Vec<ModelVerdict> =
         laws(&part.experiments, evidence).into_iter().filter_map(FittedGrowth::verdict).collect();
-    let counted = |keeps: Option<bool>| verdicts.iter().filter(|verdict| verdict.keeps_bound() == keeps).count();
-    let growth = [
-        (Some(true), "good", "growth within the bound or below it"),
-        (Some(false), "bad", "growth above the bound"),
-        (None, "plain", "growth undecided"),
+    use ModelVerdict::{Above, Below, Kept, Undecided, Within};
+    let counted = |of: &[ModelVerdict]| verdicts.iter().filter(|verdict| of.contains(verdict)).count();
+    let growth: [(&[ModelVerdict], &str, &str); 4] = [
+        (&[Within, Below], "good", "growth within the bound or below it"),
+        (&[Kept], "good", "no sample beyond a bound that is a number"),
+        (&[Above], "bad", "growth above the bound"),
+        (&[Undecided], "plain", "growth undecided"),
     ];
     let badges: Vec<String> = growth
         .into_iter()
-        .map(|(keeps, tone, words)| (counted(keeps), tone, words))
+        .map(|(of, tone, words)| (counted(of), tone, words))
         .filter(|(count, ..)| *count > 0)
         .map(|(count, tone, words)| badge(tone, &format!("{words} in {count} of {} fits", verdicts.len())))
         .collect();

@@ -30,12 +30,12 @@ pub(super) fn section(evidence: &Evidence) -> String {
         "<section id=\"laws\">\n<h2>Growth laws by what was found</h2>\n\
          <p>Every law on the counts of an experiment, over all sizes and over the last doublings. A bound is kept \
          where the whole interval is at most the slack of 0.05; where the interval reaches beyond it and does not lie \
-         beyond it altogether, the law is {}. A bound that is a number is kept where no sample \
-         exceeds it. {} more laws have no bound.</p>\n",
+         beyond it altogether, the law is {}. A bound that is a number is kept by all \
+         where no sample exceeds it, whatever the interval. {} more laws have no bound.</p>\n",
         badge("plain", "undecided"),
         grouped(measured as u64)
     );
-    text.push_str(&table("laws", &["", "within", "below", "above", "undecided"], &rows));
+    text.push_str(&table("laws", &["", "within", "below", "kept by all", "above", "undecided"], &rows));
     let lists = [(ModelVerdict::Above, "exceeded", "Exceeded"), (ModelVerdict::Undecided, "undecided", "Undecided")];
     for (verdict, word, heading) in lists {
         for (is_of_paper, name) in [(true, "of the paper"), (false, "of our own")] {
@@ -54,8 +54,27 @@ pub(super) fn section(evidence: &Evidence) -> String {
             }
         }
     }
+    let without: String = fits.iter().filter_map(|fit| without_law(fit)).collect();
+    if !without.is_empty() {
+        text.push_str(&format!(
+            "<p>Bounds that no law was fitted for:</p>\n<ul class=\"undecided\">\n{without}</ul>\n"
+        ));
+    }
     text.push_str("</section>\n");
     text
+}
+
+/// A bound whose quantity has no law, with the reason; nothing where it has one.
+fn without_law(fit: &FittedGrowth) -> Option<String> {
+    let (Some(_), Err(reason)) = (fit.bound, &fit.growth) else { return None };
+    Some(format!(
+        "<li><a href=\"#experiment-{0}\">{0}</a>: {1} of {2} on {3}: {4}</li>\n",
+        fit.experiment,
+        quantity_name(fit),
+        method_title(fit),
+        Escaped(&fit.family.replace('_', " ")),
+        Escaped(&reason.to_string()),
+    ))
 }
 
 /// A law that is exceeded or undecided, in a line.

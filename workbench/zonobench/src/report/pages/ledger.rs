@@ -15,8 +15,8 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     }
     let mut text = String::from(
         "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
-         <p>Every statement, figure and open question of the paper, checked where its algorithm exists, and counted \
-         once. Each correction comes with a witness and with what to read instead.</p>\n\
+         <p>Every statement, figure and open question of the paper, checked where its algorithm exists; each \
+         claim is counted once. Each correction comes with a witness and with what to read instead.</p>\n\
          <details><summary>The sorts of findings, with their statements</summary>\n<ul class=\"sorts\">\n",
     );
     text.push_str(&sorts(evidence));

@@ -53,6 +53,7 @@ fn verdict_words(fit: &FittedGrowth, verdict: ModelVerdict) -> String {
     match verdict {
         ModelVerdict::Within => format!("within {bound}"),
         ModelVerdict::Below => format!("below {bound}"),
+        ModelVerdict::Kept => format!("no sample exceeds {bound}"),
         ModelVerdict::Above => format!("above {bound}"),
         ModelVerdict::Undecided => "undecided".to_owned(),
     }
@@ -63,6 +64,7 @@ fn short_words(verdict: ModelVerdict) -> &'static str {
     match verdict {
         ModelVerdict::Within => "within",
         ModelVerdict::Below => "below",
+        ModelVerdict::Kept => "kept by all",
         ModelVerdict::Above => "above",
         ModelVerdict::Undecided => "undecided",
     }

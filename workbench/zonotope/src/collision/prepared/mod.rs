@@ -7,7 +7,7 @@
 //! | method | space | built in | a query | what it is |
 //! |---|---|---|---|---|
 //! | [`PreparedBody`](crate::zonotope::PreparedBody) | O(n) | O(n) | O(n) | the linear scan: passes over blocks |
-//! | [`by_direction_tree`] | O(n) | O(n log n) | O(√n) on random bodies, O(n) on thin ones | sums of neighbours |
+//! | [`by_direction_tree`] | O(n) | O(n log n) | O(√n) on random bodies, above n on thin ones | sums of neighbours |
 //! | [`by_cutting`] | O(m), n ≤ m ≤ n² | O(m log n) and the cutting | O(n²/m + log² n) | Lemma 5.3 and Corollary 5.4 |
 //! | [`by_facets`] | O(n²) | O(n³), exact numbers | O(n²) | all facets written down, for small n |
 //! | [`choice`] | within a budget | | | the one of these that costs least for so many queries |

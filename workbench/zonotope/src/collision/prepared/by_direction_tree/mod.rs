@@ -36,7 +36,7 @@
 //! boundary O(1). Of random bodies a support value and an exact query take O(√n), as a great circle meets that many
 //! leaves: n from 2^10 to 2^14, an exact query reads 15 to 30 √n nodes and generators. Where the body is flat, many
 //! generators are parallel to the optimum's facet, or lengths are far apart, the kernel's other rungs read all
-//! generators, some of them several times: of bodies near a plane, up to 4 times what the kernel reads without a tree.
+//! generators, some of them several times: of bodies near a plane, up to 5 times what the kernel reads without a tree.
 //!
 //! # Shapes
 //! `body`: any order, duplicates allowed. Bases and coefficients are those of the body's order.
