@@ -5,6 +5,7 @@ mod bodies;
 mod clients;
 mod documented;
 mod drawings;
+mod levels;
 mod moving;
 mod pipes;
 mod quirks;
