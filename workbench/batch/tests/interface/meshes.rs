@@ -85,7 +85,7 @@ fn cube(size: f64) -> Value {
 fn volumes_of_levels_contain_their_triangles_at_any_size() {
     let methods = batch::KINDS.iter().find(|kind| kind.name == "mesh_level").map(|kind| (kind.methods)());
     for method in methods.expect("a kind") {
-        for size in [1.0, 0.1, 1e300, 1e-300, 5e-324] {
+        for size in [1.0, 0.1, 1e300, f64::MAX, 1e-300, 5e-324] {
             for depth in 0..4 {
                 let (question, answer) = level(&json!({"a": cube(size), "level": depth}), Some(method));
                 let nodes = answer["result"]["nodes"].as_array().unwrap_or_else(|| panic!("{answer}"));
@@ -124,11 +124,6 @@ fn what_has_no_level_is_refused_by_name() {
     assert_eq!(deep, ["too_large", "level is 21, at most 20 is taken"]);
     let [code, message] = refused(json!({"a": cube(1.0), "level": 1}), Some("dop_18"));
     assert!(code == "unknown_method" && message.contains("obb"), "{message}");
-    let huge = refused(
-        json!({"a": {"vertices": [[1.7e308; 3], [-1.7e308; 3]], "triangles": [[0, 1, 1]]}, "level": 0}),
-        Some("zonotope_3"),
-    );
-    assert!(huge[0] == "too_large" || huge[0].is_empty(), "{huge:?}");
     let posed = refused(json!({"a": moved([1.0, 0.0, 0.0]), "level": 0}), None);
     assert_eq!(posed, ["bad_input", "extra field `pose` in `a`"]);
 }

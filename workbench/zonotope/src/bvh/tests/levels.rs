@@ -60,8 +60,13 @@ fn levels_are_those_of_the_tree() {
 }
 
 #[test]
-fn what_has_no_volume_of_doubles_is_told() {
+fn volumes_as_large_as_doubles_go_are_bodies() {
     let mesh = Mesh::new(vec![[f64::MAX; 3], [-f64::MAX; 3]], vec![[0, 1, 1]]).expect("a mesh");
     assert!(Method::Sphere.level(&mesh, 0).is_none() && Method::Dop26.level(&mesh, 0).is_none());
-    assert_eq!(Method::Aabb.level(&mesh, 0), Some(Err(BeyondDoubles { node: 0 })));
+    for method in Method::SHAPED {
+        match method.level(&mesh, 0).expect("a zonotope") {
+            Ok(level) => assert_eq!(whole(&level[0]).contains([f64::MAX; 3]), Ok(true), "{method:?}"),
+            Err(error) => assert_eq!(error, BeyondDoubles { node: 0 }),
+        }
+    }
 }
