@@ -16,6 +16,7 @@ import {
   first,
   later,
   meshOf,
+  middleOf,
   MOST_TRIANGLES,
   questions,
   read,
@@ -113,14 +114,10 @@ export const volumesChapter: Chapter<State, Answers, Late> = {
   accept(data: OwnData, state) {
     if (!("points3" in data) || !data.mesh)
       return "This chapter takes a mesh with its faces: the text of an OBJ or OFF file.";
-    const { vertices, triangles } = data.mesh;
+    const { triangles } = data.mesh;
     if (triangles.length > MOST_TRIANGLES)
       return `The mesh has ${triangles.length} triangles; the chapter takes ${MOST_TRIANGLES}, the program a million.`;
-    const extent = ([0, 1, 2] as const).map((axis) => {
-      const along = vertices.map((vertex) => vertex[axis]);
-      return Math.max(...along) - Math.min(...along);
-    });
-    return { ...state, own: data.mesh, place: [1.1 * (extent[0] ?? 1), 0, 0], turn: 0 };
+    return { ...state, own: data.mesh, place: [1.1 * middleOf(data.mesh).size, 0, 0], turn: 0 };
   },
   random: (seed, state) => {
     const random = randoms(seed);

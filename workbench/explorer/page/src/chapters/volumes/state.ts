@@ -4,6 +4,7 @@ import type { Answer, Verdict } from "../../engine/questions";
 import type { Asking, AskingLater } from "../../kit/chapter";
 import { turned } from "../../kit/placement";
 import { fields, list, vec3, within } from "../../kit/reading";
+import { add3, sub3 } from "../../kit/vectors";
 import { decimal } from "../../library/fraction";
 import { meshLevel, meshTests, type MeshData, type MeshTests, type Node, type Pose } from "../../library/meshes";
 import { faces, type Faces } from "../../library/pictures";
@@ -17,7 +18,7 @@ export interface State {
   readonly own: MeshData | null;
   readonly volume: string;
   readonly level: number;
-  /** The shift of the second copy, and its turn about `AXIS` in degrees. */
+  /** The shift of the second copy, and its turn about `AXIS` through its middle in degrees. */
   readonly place: Vec3;
   readonly turn: number;
 }
@@ -87,10 +88,34 @@ function readMesh(told: unknown): MeshData | null {
 
 export const meshOf = (state: State): MeshData => state.own ?? (SHAPES[state.shape] as MeshData);
 
+/** The middle of a mesh, about which its copy is turned, and its longest side. */
+export function middleOf(mesh: MeshData): Middle {
+  const known = MIDDLES.get(mesh) ?? measured(mesh);
+  MIDDLES.set(mesh, known);
+  return known;
+}
+
+interface Middle {
+  readonly middle: Vec3;
+  readonly size: number;
+}
+
+const MIDDLES = new WeakMap<MeshData, Middle>();
+
+function measured({ vertices }: MeshData): Middle {
+  const sides = ([0, 1, 2] as const).map((axis) => {
+    const along = vertices.map((vertex) => vertex[axis]);
+    return [Math.min(...along), Math.max(...along)] as const;
+  });
+  const middle = sides.map(([low, high]) => (low + high) / 2) as unknown as Vec3;
+  return { middle, size: Math.max(...sides.map(([low, high]) => high - low)) };
+}
+
 /** The place of a point of the second copy. */
 export function moved(state: State, point: Vec3): Vec3 {
-  const [x, y, z] = turned(point, AXIS, (state.turn * Math.PI) / 180);
-  return [x + state.place[0], y + state.place[1], z + state.place[2]];
+  const { middle } = middleOf(meshOf(state));
+  const around = turned(sub3(point, middle), AXIS, (state.turn * Math.PI) / 180);
+  return add3(add3(around, middle), state.place);
 }
 
 export function poseOf(state: State): Pose {
@@ -102,7 +127,7 @@ export function poseOf(state: State): Pose {
     ] as const
   ).map((axis) => turned(axis, AXIS, (state.turn * Math.PI) / 180));
   const row = (at: 0 | 1 | 2) => columns.map((column) => column[at]) as unknown as Vec3;
-  return { matrix: [row(0), row(1), row(2)], translation: state.place };
+  return { matrix: [row(0), row(1), row(2)], translation: moved(state, [0, 0, 0]) };
 }
 
 /** The bodies of a level, with the faces of each. */

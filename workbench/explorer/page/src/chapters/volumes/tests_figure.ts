@@ -4,10 +4,11 @@ import type { Control, Figure } from "../../kit/chapter";
 import { html } from "../../kit/elements";
 import { Solid } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { place3, tidy3 } from "../../kit/vectors";
+import { add3, place3, scale3, sub3, tidy3 } from "../../kit/vectors";
 import type { MeshData } from "../../library/meshes";
+import type { Vec3 } from "../../library/shapes";
 import { surfaceOf } from "./level_figure";
-import { COUNTED, meshOf, moved, type Answers, type Counted, type State } from "./state";
+import { COUNTED, meshOf, middleOf, moved, type Answers, type Counted, type State } from "./state";
 
 const COLOURS = ["#0072b2", "#e69f00"] as const;
 const MEETING = "#d50000";
@@ -17,7 +18,11 @@ export function testsFigure(control: Control<State>): Figure<State, Answers> {
     "The mesh and its copy",
     {
       moved: (_, place, finished) => {
-        const next = { ...control.state, place: tidy3(place) };
+        const { middle, size } = middleOf(meshOf(control.state));
+        // A thousandth of the mesh's size is as fine as a drag is.
+        const unit = 10 ** Math.floor(Math.log10(size || 1));
+        const shift = scale3(tidy3(scale3(sub3(place, middle), 1 / unit)), unit);
+        const next = { ...control.state, place: shift };
         (finished ? control.commit : control.change)(next);
       },
     },
@@ -58,12 +63,14 @@ export function testsFigure(control: Control<State>): Figure<State, Answers> {
         });
       }
       solids[1].place((point) => moved(state, point));
-      view.fit([...mesh.vertices, ...mesh.vertices.map((point) => moved(state, point))]);
+      const { middle } = middleOf(mesh);
+      view.fit([...mesh.vertices, ...placesOf(state, mesh)]);
+      const at = add3(middle, state.place);
       view.draw([
         {
           id: "copy",
-          at: state.place,
-          label: `The second copy, at ${place3(state.place)}`,
+          at,
+          label: `The second copy, at ${place3(at)}`,
           look: "query",
           name: "B",
         },
@@ -72,6 +79,11 @@ export function testsFigure(control: Control<State>): Figure<State, Answers> {
       if (counted) fill(rows, counted);
     },
   };
+}
+
+/** The vertices of the second copy. */
+function placesOf(state: State, mesh: MeshData): Vec3[] {
+  return mesh.vertices.map((point) => moved(state, point));
 }
 
 interface Row {
