@@ -17,7 +17,7 @@ export const presets: readonly Preset<State>[] = [
   {
     name: "Linked rings",
     note: "One ring passes through the other and does not touch it: whatever volumes are around them overlap.",
-    make: () => of("ring", [0.95, -0.3, -0.2], 90, { level: 4 }),
+    make: () => of("ring", [0.41, -0.84, 0.2], 120, { level: 4 }),
   },
   {
     name: "Balls",
@@ -26,13 +26,13 @@ export const presets: readonly Preset<State>[] = [
   },
   {
     name: "Angles",
-    note: "Bodies of flat faces along the axes: a box fits them, turned or not, until one of them is turned.",
-    make: () => of("angle", [1.9, 0.9, 0.5], 115, { level: 2, volume: "obb" }),
+    note: "Flat faces along the axes: boxes fit, and more generators change nothing.",
+    make: () => of("angle", [-0.27, -0.57, -1.36], 55, { level: 2, volume: "obb" }),
   },
   {
     name: "Needles",
-    note: "Long and thin: a box that is turned is nearly the best there is.",
-    make: () => of("needle", [0.4, 0.2, -0.3], 70, { level: 3, volume: "obb" }),
+    note: "Long and thin: boxes turned as they fit, and polytopes of fixed normals, do as well.",
+    make: () => of("needle", [0.33, 0.15, -0.09], -25, { level: 3, volume: "obb" }),
   },
   {
     name: "Plates",

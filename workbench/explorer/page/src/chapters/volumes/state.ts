@@ -57,8 +57,8 @@ export const first = (): State => ({
   own: null,
   volume: "zonotope_6",
   level: 3,
-  place: [2.5, 0.3, 0.4],
-  turn: 60,
+  place: [1.1, 0.24, 0.99],
+  turn: -135,
 });
 
 export function read(told: unknown): State | null {
