@@ -143,6 +143,9 @@ export class Solid {
     this.faces.material.transparent = look.opacity < 1;
     this.faces.material.opacity = look.opacity;
     this.faces.material.depthWrite = look.opacity === 1;
+    // A transparent facet in the plane of an opaque one lies before it, behind its edges.
+    const back = look.opacity < 1 ? 0.5 : 1;
+    [this.faces.material.polygonOffsetFactor, this.faces.material.polygonOffsetUnits] = [back, back];
     // Of an opaque solid nobody sees the inside; a flat one has no inside.
     this.faces.material.side =
       look.opacity === 1 && shape.facets.length > 2 && !look.isTwoSided ? FrontSide : DoubleSide;

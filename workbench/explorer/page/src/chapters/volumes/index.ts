@@ -143,7 +143,8 @@ function meeting(_: State, { counted }: Answers): string {
   const { witness, distance } = tests;
   if (witness) return `The meshes meet, in triangle ${witness[0] + 1} and triangle ${witness[1] + 1} of the copy.`;
   const [lower, upper] = distance ?? [0, 0];
-  return `The meshes are apart, by ${digits(lower)} to ${digits(upper)}.`;
+  const bounds = [...new Set([digits(lower), digits(upper)])];
+  return `The meshes are apart, by ${bounds.join(" to ")}.`;
 }
 
 function fewest(_: State, { counted }: Answers): string {

@@ -13,7 +13,7 @@ import { DEEPEST, DRAWN, meshOf, type Answers, type Level, type State } from "./
 const GREY = "#9aa3ad";
 
 export function levelFigure(control: Control<State>): Figure<State, Answers> {
-  const view = new SpaceView("A mesh in the bounding volumes of a level", {}, [2.4, -4, 2.2]);
+  const view = new SpaceView("A mesh in the bounding volumes of a level", {}, [2.6, -1.4, 2.6]);
   const [inner, outer] = [new Solid(), new Solid()];
   view.put("mesh", inner);
   view.put("volumes", outer);

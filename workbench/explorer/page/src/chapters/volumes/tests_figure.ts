@@ -66,19 +66,34 @@ export function testsFigure(control: Control<State>): Figure<State, Answers> {
       const { middle } = middleOf(mesh);
       view.fit([...mesh.vertices, ...placesOf(state, mesh)]);
       const at = add3(middle, state.place);
-      view.draw([
-        {
-          id: "copy",
-          at,
-          label: `The second copy, at ${place3(at)}`,
-          look: "query",
-          name: "B",
-        },
-      ]);
+      view.draw(
+        [
+          {
+            id: "copy",
+            at,
+            label: `The second copy, at ${place3(at)}`,
+            look: "query",
+            name: "B",
+          },
+        ],
+        [],
+        meetingOf(state, mesh, witness),
+      );
       table.classList.toggle("waiting", counted === null);
       if (counted) fill(rows, counted);
     },
   };
+}
+
+/** The outlines of the triangles that meet, which are seen through everything. */
+function meetingOf(state: State, { vertices, triangles }: MeshData, witness: readonly [number, number] | null) {
+  if (!witness) return [];
+  const outline = (triangle: number) => {
+    const [a, b, c] = triangles[triangle] ?? [0, 0, 0];
+    return [a, b, c, a].map((at) => vertices[at] as Vec3);
+  };
+  const copied = outline(witness[1]).map((point) => moved(state, point));
+  return [outline(witness[0]), copied].map((points) => ({ points, look: "meeting" }));
 }
 
 /** The vertices of the second copy. */
