@@ -5,7 +5,6 @@ mod bodies;
 mod clients;
 mod documented;
 mod drawings;
-mod levels;
 mod moving;
 mod pipes;
 mod quirks;

@@ -1,4 +1,4 @@
-//! The volumes that are zonotopes of few generators, and those of a level of a hierarchy in the coordinates of its mesh.
+//! Volumes that are zonotopes of few generators, and those of a level of a hierarchy in the coordinates of its mesh.
 //!
 //! A volume is its shape and a margin: a cube, which takes up the rounding of the fit. The shape is for pictures, the
 //! sum of both contains the triangles exactly. Coordinates of a mesh are its units times a power of two, so that

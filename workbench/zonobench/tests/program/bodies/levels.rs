@@ -4,9 +4,10 @@ use std::fs;
 
 use crate::run;
 
-const L_SHAPED: &str = "OFF\n12 10 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n\
-                        4 0 3 2 1\n4 0 5 4 3\n4 6 7 8 9\n4 6 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n\
-                        4 4 5 11 10\n4 5 0 6 11\n";
+const L_SHAPED: &str = "OFF\n12 10 0\n\
+    0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n\
+    4 0 3 2 1\n4 0 5 4 3\n4 6 7 8 9\n4 6 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n\
+    4 4 5 11 10\n4 5 0 6 11\n";
 
 #[test]
 fn volumes_of_a_level_are_written_checked_and_read_again() {
