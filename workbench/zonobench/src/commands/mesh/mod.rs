@@ -12,6 +12,7 @@ pub(super) use self::reading::Read;
 
 use std::path::Path;
 
+use anyhow::bail;
 use serde_json::json;
 
 use super::Ending;
@@ -32,6 +33,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
 }
 
 fn of_two(options: &Options, file_b: &Path) -> anyhow::Result<Ending> {
+    // clap leaves out what an option requires where that conflicts with something else
+    if options.obj.is_some() {
+        bail!("--obj writes the volumes of a level, which --level tells");
+    }
     let inputs = [options.a.as_path(), file_b];
     check_inputs(&inputs)?;
     check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;

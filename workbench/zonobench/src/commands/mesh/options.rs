@@ -46,7 +46,7 @@ pub struct Options {
     #[arg(long, value_name = "LEVEL")]
     pub(super) level: Option<u64>,
     /// Write the volumes of the level as one file of meshes, Wavefront OBJ.
-    #[arg(long, value_name = "FILE", requires = "level")]
+    #[arg(long, value_name = "FILE")]
     pub(super) obj: Option<PathBuf>,
     /// Write the answer, in the format of `solve`.
     #[arg(long, value_name = "FILE")]

@@ -19,10 +19,10 @@ fn volumes_of_a_level_are_written_checked_and_read_again() {
     let found = level(&[&["2", "--volume", "obb"], files.as_slice()].concat());
     assert_eq!(found.status, 0, "{}", found.stderr);
     for line in [
-        "mesh     20 triangles, 12 vertices in l.off\n",
-        "level    2: 4 volumes, with at most ",
-        "check    checked: each triangle is in one node, whose volume contains it\n",
-        "volume   obb\n",
+        "mesh          20 triangles, 12 vertices in l.off\n",
+        "level         2: 4 volumes, with at most ",
+        "check         checked: each triangle is in one node, whose volume contains it\n",
+        "volume        obb\n",
     ] {
         assert!(found.stdout.contains(line), "{line}: {}", found.stdout);
     }
@@ -35,7 +35,7 @@ fn volumes_of_a_level_are_written_checked_and_read_again() {
     assert_eq!(within.status, 0, "the volumes are a mesh: {}", within.stderr);
 
     let moved = level(&["0", "--move", "5,0,0", "--volume", "zonotope_4"]);
-    assert!(moved.status == 0 && moved.stdout.contains("level    0: 1 volume, with at most 20 triangles each\n"));
+    assert!(moved.status == 0 && moved.stdout.contains("level         0: 1 volume, with at most 20 triangles each\n"));
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn what_is_no_level_is_told() {
         (&["mesh", "l.off", "--level", "1", "--volume", "sphere"][..], "`mesh_level` has no method `sphere`"),
         (&["mesh", "l.off", "--level", "21"], "level is 21, at most 20 is taken"),
         (&["mesh", "l.off", "flat.off", "--level", "1"], "cannot be used with"),
-        (&["mesh", "l.off", "flat.off", "--obj", "x.obj"], "--level"),
+        (&["mesh", "l.off", "flat.off", "--obj", "x.obj"], "--obj writes the volumes of a level, which --level tells"),
         (&["mesh", "l.off"], "<B>"),
     ] {
         let outcome = run(folder, words);
