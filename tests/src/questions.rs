@@ -184,6 +184,13 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             let input = json!({"a": mesh(dice, style, some), "b": mesh(dice, style, 6 - some.min(5))});
             if dice.one_in(2) { with(input, "pairs", json!(true)) } else { input }
         }
+        "mesh_level" => {
+            let mut a = mesh(dice, style, some);
+            if let Some(fields) = a.as_object_mut() {
+                fields.remove("pose");
+            }
+            json!({"a": a, "level": dice.below(4)})
+        }
         "hausdorff" => {
             let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4_usize.saturating_sub(count)));
             // Of some pairs the second body is the first one and more.

@@ -70,7 +70,7 @@ fn vectors(numbers: &mut impl Iterator<Item = f64>, dimension: usize, count: usi
 /// The coordinates of what a kind asks about; the kinds that take any number of them are left out.
 fn coordinates(kind: &str, dimension: usize) -> usize {
     match kind {
-        "slope_selection" | "separator" | "walk" | "upper_hull" | "collide" | "sweep" | "mesh" => 3,
+        "slope_selection" | "separator" | "walk" | "upper_hull" | "collide" | "sweep" | "mesh" | "mesh_level" => 3,
         "distance" | "hausdorff" | "member_batch" | "min_length_all" => dimension.min(3),
         "min_area" => 2,
         _ => dimension,
@@ -105,7 +105,7 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
             "p0" => vector(n, 2),
             "points" if matches!(kind, "member_batch" | "min_length_dirs") => vectors(n, dimension, 3),
             "generators" | "directions" | "points" => vectors(n, dimension, count),
-            "a" | "b" if kind == "mesh" => {
+            "a" | "b" if matches!(kind, "mesh" | "mesh_level") => {
                 let triangles: Vec<[usize; 3]> = (0..=count / 2).map(|at| [at % 3, (at + 1) % 4, 2]).collect();
                 json!({"vertices": vectors(n, 3, 4), "triangles": triangles})
             }
@@ -116,7 +116,7 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
             "count" => dimension.into(),
             "rule" => RULES[count % RULES.len()].into(),
             "k" if kind == "slope_selection" => json!([1]),
-            "k" => 1.into(),
+            "k" | "level" => 1.into(),
             "facet" => json!([0, 1, -1]),
             "axis_point" | "axis" | "translation" => vector(n, 3),
             "angle" => vector(n, 1)[0].take(),

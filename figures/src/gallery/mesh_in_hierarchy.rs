@@ -6,8 +6,7 @@ use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::skin::{MESH, Skin, ZONOHEDRON, draw_inside};
 use crate::solid::{Camera, Face, faces_of};
 use experiments::data;
-use zonotope::bvh::{BoundingVolume, Bvh, Mesh, OrientedBox, Topology, Zonotope6};
-use zonotope::zonotope::Zonotope;
+use zonotope::bvh::{Bvh, Mesh, OrientedBox, Shaped, Zonotope6};
 
 /// The levels.
 pub const FIGURE: Figure = Figure {
@@ -34,10 +33,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let triangles = spider.triangles.iter().map(|t| t.map(|corner| corner as u32)).collect();
     let mesh = Mesh::new(vertices.clone(), triangles).expect("the mesh is one");
     let (boxes, zonotopes) = (Bvh::<OrientedBox>::build(&mesh), Bvh::<Zonotope6>::build(&mesh));
-    let rows = [
-        (["box", "boxes"], levels(&boxes, OrientedBox::shape)),
-        (["zonotope", "zonotopes"], levels(&zonotopes, Zonotope6::shape)),
-    ];
+    let rows = [(["box", "boxes"], levels(&boxes)), (["zonotope", "zonotopes"], levels(&zonotopes))];
 
     let (width, height) = (CELL[0] * LEVELS.len() as f64, CELL[1] * rows.len() as f64);
     let mut scene = Scene::new(width, height + LEGEND, FIGURE.title, FIGURE.caption);
@@ -69,16 +65,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 }
 
 /// The faces of each volume on each of the levels that are drawn.
-fn levels<V: BoundingVolume>(hierarchy: &Bvh<V>, shape: impl Fn(&V) -> Zonotope<3>) -> Vec<Vec<Vec<Face>>> {
-    let faces = |node: usize| faces_of(&shape(&hierarchy.volumes()[node]));
-    LEVELS.iter().map(|&level| nodes_of(hierarchy.topology(), level).into_iter().map(faces).collect()).collect()
-}
-
-/// The nodes of a level, and the leaves above it.
-fn nodes_of(topology: &Topology, level: usize) -> Vec<usize> {
-    let below = |nodes: Vec<usize>| -> Vec<usize> {
-        let children = |at: usize| topology.nodes()[at].children(at).map_or(vec![at], Vec::from);
-        nodes.into_iter().flat_map(children).collect()
-    };
-    (0..level).fold(vec![0], |nodes, _| below(nodes))
+fn levels<V: Shaped>(hierarchy: &Bvh<V>) -> Vec<Vec<Vec<Face>>> {
+    let faces = |node: usize| faces_of(&hierarchy.volumes()[node].shape());
+    LEVELS.iter().map(|&level| hierarchy.topology().level(level).into_iter().map(faces).collect()).collect()
 }

@@ -100,7 +100,7 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
             &["sweep"],
             zonotope::motion::space_time::Method::ALL.map(zonotope::motion::space_time::Method::id).to_vec(),
         ),
-        ("bvh", &["mesh"], zonotope::bvh::Method::ALL.map(zonotope::bvh::Method::id).to_vec()),
+        ("bvh", &["mesh", "mesh_level"], zonotope::bvh::Method::ALL.map(zonotope::bvh::Method::id).to_vec()),
         ("reduction", &["reduce"], reduction::Method::ALL.map(reduction::Method::id).to_vec()),
         (
             "collision/doors",

@@ -27,7 +27,7 @@ struct Row {
     judge: fn(&Pair<'_>, &mut Option<Known>) -> Judged,
 }
 
-const ROWS: [Row; 20] = [
+const ROWS: [Row; 21] = [
     Row {
         kind: "member",
         has_fields: |result| has(result, &["member", "status", "certificate"]) && of_location(result),
@@ -62,6 +62,11 @@ const ROWS: [Row; 20] = [
         },
     },
     Row { kind: "mesh", has_fields: meshes::has_its_fields, judge: |pair, _| meshes::judged(pair.input, pair.changed) },
+    Row {
+        kind: "mesh_level",
+        has_fields: meshes::nodes_have_their_fields,
+        judge: |pair, _| meshes::nodes_judged(pair.input, pair.changed),
+    },
     Row {
         kind: "sweep",
         has_fields: |result| has(result, &["center", "generators"]),

@@ -1,9 +1,10 @@
-//! Answers about two meshes against the library's brute force, which shares nothing with the check.
+//! Answers about meshes against the library's brute force, which shares nothing with the check.
 
 use dashu_ratio::RBig;
 use serde_json::Value;
 use zonotope::bvh::brute_force::{all_pairs, square_of_distance};
 use zonotope::bvh::{Mesh, PlacedMesh};
+use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::pose::Pose;
 
 use crate::fields::has;
@@ -87,4 +88,34 @@ fn is_distance(a: PlacedMesh<'_>, b: PlacedMesh<'_>, bounds: &Value) -> Option<b
     let width = &upper - &lower;
     let share = number(&1e-3.into())? * &upper;
     Some(is_below && (width <= share || width <= number(&f64::from_bits(2).into())?))
+}
+
+/// Whether a result with the nodes of a level has the fields of each.
+pub fn nodes_have_their_fields(result: &Value) -> bool {
+    let is_node = |node: &Value| has(node, &["center", "generators", "margin", "triangles"]);
+    has(result, &["nodes"]) && result["nodes"].as_array().is_some_and(|nodes| nodes.iter().all(is_node))
+}
+
+/// Whether the nodes hold every triangle once, no more nodes than a level has, and then whether each volume contains
+/// its triangles.
+pub fn nodes_judged(input: &Value, changed: &Value) -> Option<(bool, bool)> {
+    let (mesh, _) = mesh(input, "a")?;
+    let nodes = changed["nodes"].as_array()?;
+    let of_node = |node: &Value| indices(&node["triangles"]);
+    let lists: Vec<Vec<usize>> = nodes.iter().map(of_node).collect::<Option<_>>()?;
+    let mut all = lists.concat();
+    all.sort_unstable();
+    let level = u32::try_from(index(&input["level"])?).ok()?;
+    let is_level = nodes.len() <= 1 << level && lists.iter().all(|list| !list.is_empty());
+    let is_whole = all.into_iter().eq(0..mesh.triangles().len());
+    let holds = |(node, list): (&Value, &Vec<usize>)| -> Option<bool> {
+        let margin = node["margin"].as_f64()?;
+        let margins = [[margin, 0.0, 0.0], [0.0, margin, 0.0], [0.0, 0.0, margin]];
+        let generators = rows(&node["generators"])?.into_iter().chain(margins).collect();
+        let body = Zonotope::new(floats(&node["center"])?, generators).ok()?;
+        let mut corners = list.iter().filter(|&&at| at < mesh.triangles().len()).flat_map(|&at| mesh.corners(at));
+        Some(margin >= 0.0 && corners.all(|corner| body.contains(corner) == Ok(true)))
+    };
+    let held = nodes.iter().zip(&lists).map(holds).collect::<Option<Vec<bool>>>()?;
+    Some((is_level && is_whole, held.into_iter().all(|holds| holds)))
 }

@@ -108,6 +108,7 @@ pub use exact::whole_direction;
 pub use hull::{ConvexHullProof, check_convex_hull};
 pub use lad::{Lad, LadAnswer, LadProof, check_lad};
 pub use meshes::check::{MeshAnswer, Surface, check_meshes};
+pub use meshes::level::{ClaimedNode, check_mesh_level};
 pub use motion::answer::{Encounter, FirstContactAnswer, FirstContactProof, FreeInterval, MovingDirection};
 pub use motion::check::{MovingBody, check_first_contact};
 pub use motion::of_meshes::{FreeParts, MeshContactAnswer, MeshEncounter, MovingSurface, check_mesh_contact};

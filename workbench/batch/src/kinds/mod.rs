@@ -4,7 +4,7 @@ mod arrangement;
 mod bodies;
 mod collision;
 mod enclosing;
-mod meshes;
+pub(super) mod meshes;
 mod motion;
 
 use serde_json::Value;
@@ -54,6 +54,7 @@ pub static KINDS: &[Kind] = &[
     collision::distance::KIND,
     motion::collide::KIND,
     meshes::mesh::KIND,
+    meshes::level::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,

@@ -5,6 +5,7 @@
 //! proved, and the numbers are rounded, so pictures are no kinds: `solve` does not take them. Indices count from 0.
 
 mod lines_of_hull;
+mod meshes;
 mod picture;
 mod plane;
 mod prepared;
@@ -30,4 +31,5 @@ pub static PICTURES: &[Picture] = &[
     prepared::CUTTING,
     prepared::DIRECTION_TREE,
     prepared::HIERARCHY,
+    meshes::MESH_TESTS,
 ];

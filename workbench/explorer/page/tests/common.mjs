@@ -10,6 +10,7 @@ const OWN = {
   inside: '{"center": [0, 0, 0], "generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}',
   short: '{"type": "LineString", "coordinates": [[0, 0], [2, 0], [2, 2]]}',
   again: "1 0 0.5\n0 1 0.5\n1 1 0.2\n-1 1 0.3\n",
+  volumes: "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
   motion: '{"generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}',
 };
 

@@ -68,6 +68,21 @@ impl Topology {
     pub fn order(&self) -> &[u32] {
         &self.order
     }
+
+    /// The nodes of a level, from left to right: those that many steps below the root, and the leaves above them.
+    pub fn level(&self, depth: usize) -> Vec<usize> {
+        let mut level = vec![0];
+        for _ in 0..depth {
+            let count = level.len();
+            let below = |at: usize| self.nodes[at].children(at).map_or_else(|| vec![at], Vec::from);
+            level = level.into_iter().flat_map(below).collect();
+            // leaves alone have nothing below them
+            if level.len() == count {
+                break;
+            }
+        }
+        level
+    }
 }
 
 /// A triangle as the builder sees it.

@@ -1,11 +1,11 @@
 //! The volumes by name, for callers that choose one when they run.
 
 use super::hierarchy::{Bvh, PlacedBvh};
-use super::mesh::PlacedMesh;
+use super::mesh::{Mesh, PlacedMesh};
 use super::nearest::MeshDistance;
 use super::{
-    Aabb, BoundingVolume, Dop18, Dop26, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5, Zonotope6, Zonotope7,
-    Zonotope8,
+    Aabb, BeyondDoubles, BoundingVolume, Dop18, Dop26, Enclosed, OrientedBox, Shaped, Sphere, Zonotope3, Zonotope4,
+    Zonotope5, Zonotope6, Zonotope7, Zonotope8,
 };
 use crate::tables::methods;
 use crate::tally::Tally;
@@ -69,6 +69,37 @@ pub enum Encounter {
 }
 
 impl Method {
+    /// The volumes that are zonotopes of few generators: boxes in both ways and zonotopes.
+    pub const SHAPED: [Self; 8] = [
+        Self::Aabb,
+        Self::OrientedBox,
+        Self::Zonotope3,
+        Self::Zonotope4,
+        Self::Zonotope5,
+        Self::Zonotope6,
+        Self::Zonotope7,
+        Self::Zonotope8,
+    ];
+
+    /// The volumes of a level of a mesh's hierarchy, as [`Bvh::level`] has them; `None` of spheres and of polytopes of
+    /// fixed normals, which are no zonotopes of few generators.
+    ///
+    /// # Errors
+    /// [`BeyondDoubles`] for a mesh so large that a volume around it is no body of doubles.
+    pub fn level(self, mesh: &Mesh, depth: usize) -> Option<Result<Vec<Enclosed>, BeyondDoubles>> {
+        Some(match self {
+            Self::Sphere | Self::Dop18 | Self::Dop26 => return None,
+            Self::Aabb => level::<Aabb>(mesh, depth),
+            Self::OrientedBox => level::<OrientedBox>(mesh, depth),
+            Self::Zonotope3 => level::<Zonotope3>(mesh, depth),
+            Self::Zonotope4 => level::<Zonotope4>(mesh, depth),
+            Self::Zonotope5 => level::<Zonotope5>(mesh, depth),
+            Self::Zonotope6 => level::<Zonotope6>(mesh, depth),
+            Self::Zonotope7 => level::<Zonotope7>(mesh, depth),
+            Self::Zonotope8 => level::<Zonotope8>(mesh, depth),
+        })
+    }
+
     /// A pair of triangles that meet, or how far apart the meshes are; builds both hierarchies.
     pub fn encounter(self, meshes: [PlacedMesh<'_>; 2], tally: &mut dyn Tally) -> Encounter {
         with_volume!(self, encounter(meshes, tally))
@@ -80,8 +111,19 @@ impl Method {
     }
 }
 
+fn level<V: Shaped>(mesh: &Mesh, depth: usize) -> Result<Vec<Enclosed>, BeyondDoubles> {
+    Bvh::<V>::build(mesh).level(depth)
+}
+
+/// The hierarchies of two meshes; of a mesh and the same one again it is built once.
+fn built<V: BoundingVolume>([a, b]: &[PlacedMesh<'_>; 2]) -> [Bvh<V>; 2] {
+    let first = Bvh::build(a.mesh());
+    let second = if std::ptr::eq(a.mesh(), b.mesh()) { first.clone() } else { Bvh::build(b.mesh()) };
+    [first, second]
+}
+
 fn encounter<V: BoundingVolume>(meshes: [PlacedMesh<'_>; 2], tally: &mut dyn Tally) -> Encounter {
-    let hierarchies = meshes.map(|placed| Bvh::<V>::build(placed.mesh()));
+    let hierarchies = built::<V>(&meshes);
     let [a, b] = placed(&hierarchies, &meshes);
     a.witness(b, tally).map_or_else(|| Encounter::Apart(a.distance(b)), Encounter::Meeting)
 }
@@ -91,7 +133,7 @@ fn pairs<V: BoundingVolume>(
     limit: usize,
     tally: &mut dyn Tally,
 ) -> Option<Vec<[usize; 2]>> {
-    let hierarchies = meshes.map(|placed| Bvh::<V>::build(placed.mesh()));
+    let hierarchies = built::<V>(&meshes);
     let [a, b] = placed(&hierarchies, &meshes);
     a.at_most_pairs(b, limit, tally)
 }

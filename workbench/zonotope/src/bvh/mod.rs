@@ -49,5 +49,6 @@ pub use volume::BoundingVolume;
 pub use volumes::aabb::Aabb;
 pub use volumes::discrete_polytope::{Dop18, Dop26};
 pub use volumes::oriented_box::OrientedBox;
+pub use volumes::shape::{BeyondDoubles, Enclosed, Shaped};
 pub use volumes::sphere::Sphere;
 pub use volumes::zonotope::{Zonotope3, Zonotope4, Zonotope5, Zonotope6, Zonotope7, Zonotope8};

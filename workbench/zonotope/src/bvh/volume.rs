@@ -55,10 +55,12 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     fn expected_overlaps(&self) -> f64;
 }
 
-/// The box with these half-lengths along the axes, which are made a little larger: what rounding a middle and a half
-/// costs, of extents of magnitude at most [`REACH_LIMIT`](super::frame::REACH_LIMIT).
+/// The rounding of a middle and a half, of extents of magnitude at most [`REACH_LIMIT`](super::frame::REACH_LIMIT).
+pub(in crate::bvh) const ROUNDED_BOX: f64 = 64.0 * f64::EPSILON;
+
+/// The box with these half-lengths along the axes, which are made larger by what rounding costs.
 pub(in crate::bvh) fn box_around(center: [f64; 3], half: [f64; 3]) -> Zonotope<3> {
-    let [a, b, c] = half.map(|c| c + 64.0 * f64::EPSILON);
+    let [a, b, c] = half.map(|c| c + ROUNDED_BOX);
     Zonotope::new(center, vec![[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]])
         .expect("a volume of finite points is finite")
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use verifier::{Body, MeshAnswer, Surface, Verdict, check_meshes};
+use zonotope::Pose;
 use zonotope::bvh::{Encounter, Mesh, MeshDistance, MeshError, Method};
 
 use crate::claimed::{Traced, boolean, float, indices, member, pose, vectors};
@@ -23,7 +24,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
 /// The fields of a mesh.
 pub(in crate::kinds) const MESH: [&str; 2] = ["vertices", "triangles"];
 
-/// The most triangles of both meshes.
+/// The most triangles of all meshes of a question.
 const TRIANGLE_LIMIT: usize = 1_000_000;
 
 /// The most pairs of triangles that are listed.
@@ -35,13 +36,8 @@ const SPACE: usize = 3;
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
-    let read = ["a", "b"].map(|name| fields.object(name, &MESH, &PLACED));
-    let [of_a, of_b] = read;
-    let [of_a, of_b] = [of_a?, of_b?];
-    let meshes = [mesh(&of_a, "a")?, mesh(&of_b, "b")?];
-    let poses = [of_a.placement(SPACE)?, of_b.placement(SPACE)?].map(|placement| placement.of_space(1.0));
+    let Placing { meshes, poses } = placing(fields)?;
     let wants_pairs = fields.flag("pairs")?;
-    check_size(&meshes)?;
     let placed = [meshes[0].at(&poses[0]), meshes[1].at(&poses[1])];
     let result = if wants_pairs {
         let too_many =
@@ -57,13 +53,30 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
     Ok(Solution { method: method.id(), result })
 }
 
+/// The two meshes of a question, and where they stand.
+pub(crate) struct Placing {
+    pub(crate) meshes: [Mesh; 2],
+    pub(crate) poses: [Pose; 2],
+}
+
+/// The meshes `a` and `b` of a question with their poses.
+pub(crate) fn placing(fields: &Fields<'_>) -> Result<Placing, Refusal> {
+    let read = ["a", "b"].map(|name| fields.object(name, &MESH, &PLACED));
+    let [of_a, of_b] = read;
+    let [of_a, of_b] = [of_a?, of_b?];
+    let meshes = [mesh(&of_a, "a")?, mesh(&of_b, "b")?];
+    let poses = [of_a.placement(SPACE)?, of_b.placement(SPACE)?].map(|placement| placement.of_space(1.0));
+    check_size(&meshes)?;
+    Ok(Placing { meshes, poses })
+}
+
 /// Refuses meshes of too many triangles.
-pub(in crate::kinds) fn check_size(meshes: &[Mesh; 2]) -> Result<(), Refusal> {
-    let triangles: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+pub(in crate::kinds) fn check_size<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> Result<(), Refusal> {
+    let triangles: usize = meshes.into_iter().map(|mesh| mesh.triangles().len()).sum();
     if triangles <= TRIANGLE_LIMIT {
         return Ok(());
     }
-    let message = format!("{triangles} triangles, at most {TRIANGLE_LIMIT} of both meshes are taken");
+    let message = format!("{triangles} triangles, at most {TRIANGLE_LIMIT} of all meshes are taken");
     Err(Refusal::new(Code::TooLarge, message))
 }
 
@@ -124,7 +137,7 @@ impl Read {
         Ok(self)
     }
 
-    fn surface(&self) -> Surface<'_> {
+    pub(in crate::kinds) fn surface(&self) -> Surface<'_> {
         Surface { vertices: &self.vertices, triangles: &self.triangles, pose: self.pose.as_ref() }
     }
 }

@@ -1,3 +1,6 @@
 //! Kinds about meshes of triangles.
 
-pub(super) mod mesh;
+pub(in crate::kinds) mod level;
+pub(in crate::kinds) mod mesh;
+
+pub(crate) use mesh::{Placing, placing};

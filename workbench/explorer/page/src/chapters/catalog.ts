@@ -7,6 +7,7 @@ import { smallestZonogon } from "./smallest_zonogon";
 import { againChapter } from "./again";
 import { insideChapter } from "./inside";
 import { tilingChapter } from "./tiling";
+import { volumesChapter } from "./volumes";
 
 export const chapters: readonly AnyChapter[] = [
   smallestZonogon,
@@ -15,4 +16,5 @@ export const chapters: readonly AnyChapter[] = [
   shortChapter,
   againChapter,
   motionChapter,
+  volumesChapter,
 ];

@@ -98,7 +98,11 @@ export interface Takeaway {
 /** Data that a reader pastes or drops. */
 export type OwnData =
   | { readonly points: readonly Vec2[] }
-  | { readonly points3: readonly Vec3[] }
+  | {
+      readonly points3: readonly Vec3[];
+      /** The mesh, where the text has faces: those of more corners are cut from their first one. */
+      readonly mesh?: { readonly vertices: readonly Vec3[]; readonly triangles: readonly Vec3[] };
+    }
   | { readonly center: Vec3; readonly generators: readonly Vec3[] };
 
 export interface Chapter<State, Answers, Late = null> {

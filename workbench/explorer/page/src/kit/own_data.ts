@@ -16,9 +16,9 @@ export function readOwnData(text: string): OwnData | string {
   if (trimmed === "") return "There is no text.";
   if (/^[[{]/.test(trimmed)) return ofJson(trimmed);
   if (/^ply\b/.test(trimmed)) return ofRows(plyRows(trimmed));
-  if (/^(C|N)*OFF\b/.test(trimmed)) return ofRows(offRows(trimmed));
+  if (/^(C|N)*OFF\b/.test(trimmed)) return withMesh(ofRows(offRows(trimmed)), offRows(trimmed), offFaces(trimmed));
   if (/^\s*solid\b/.test(trimmed)) return ofRows(marked(trimmed, "vertex"));
-  if (/^v\s/m.test(trimmed)) return ofRows(marked(trimmed, "v"));
+  if (/^v\s/m.test(trimmed)) return withMesh(ofRows(marked(trimmed, "v")), objRows(trimmed), objFaces(trimmed));
   return ofRows(tableRows(trimmed));
 }
 
@@ -51,18 +51,51 @@ function tableRows(text: string): number[][] {
     .filter((row) => row.length > 0);
 }
 
+/** What stands behind a mark in the lines that begin with it. */
+function linesOf(text: string, mark: string): string[] {
+  const lines = text.split("\n").map((line) => line.trim());
+  return lines.filter((line) => line.startsWith(`${mark} `)).map((line) => line.slice(mark.length));
+}
+
 function marked(text: string, mark: string): number[][] {
-  const lines = text
-    .split("\n")
-    .map((line) => line.trim())
-    .filter((line) => line.startsWith(`${mark} `));
-  const rows = lines.map((line) => numbers(line.slice(mark.length)).slice(0, 3));
+  const rows = linesOf(text, mark).map((line) => numbers(line).slice(0, 3));
   return [...new Map(rows.map((row) => [row.join(), row])).values()];
 }
 
 function offRows(text: string): number[][] {
   const rows = tableRows(text.replace(/^(C|N)*OFF\s*/, ""));
   return rows.slice(1, 1 + (rows[0]?.[0] ?? 0)).map((row) => row.slice(0, 3));
+}
+
+function objRows(text: string): number[][] {
+  return linesOf(text, "v").map((line) => numbers(line).slice(0, 3));
+}
+
+/** The corners of the faces, from 0; a corner may be told from the end. */
+function objFaces(text: string): number[][] {
+  const vertices = objRows(text).length;
+  const place = (corner: string) => {
+    const at = Number(corner.split("/")[0]);
+    return at < 0 ? vertices + at : at - 1;
+  };
+  return linesOf(text, "f").map((line) => line.trim().split(/\s+/).map(place));
+}
+
+function offFaces(text: string): number[][] {
+  const rows = tableRows(text.replace(/^(C|N)*OFF\s*/, ""));
+  const [vertices = 0, faces = 0] = rows[0] ?? [];
+  return rows.slice(1 + vertices, 1 + vertices + faces).map((row) => row.slice(1, 1 + (row[0] ?? 0)));
+}
+
+/** The points with the mesh that their faces make of them, if the faces name points that are there. */
+function withMesh(data: OwnData | string, rows: number[][], faces: number[][]): OwnData | string {
+  if (typeof data === "string" || !("points3" in data) || faces.length === 0) return data;
+  const isPlace = (at: number) => Number.isInteger(at) && at >= 0 && at < rows.length;
+  if (!faces.flat().every(isPlace)) return data;
+  const triangles = faces.flatMap(([first = 0, ...others]) =>
+    others.slice(1).map((corner, at): Vec3 => [first, others[at] ?? first, corner]),
+  );
+  return { ...data, mesh: { vertices: rows as unknown as Vec3[], triangles } };
 }
 
 function plyRows(text: string): number[][] {

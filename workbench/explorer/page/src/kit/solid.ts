@@ -23,6 +23,8 @@ export interface SolidLook {
   readonly opacity: number;
   /** The colour of the edges. */
   readonly edge: string;
+  /** Whether facets are seen from behind, as those of a surface that may have an edge. */
+  readonly isTwoSided?: boolean;
 }
 
 export interface SolidShape {
@@ -141,8 +143,12 @@ export class Solid {
     this.faces.material.transparent = look.opacity < 1;
     this.faces.material.opacity = look.opacity;
     this.faces.material.depthWrite = look.opacity === 1;
+    // A transparent facet in the plane of an opaque one lies before it, behind its edges.
+    const back = look.opacity < 1 ? 0.5 : 1;
+    [this.faces.material.polygonOffsetFactor, this.faces.material.polygonOffsetUnits] = [back, back];
     // Of an opaque solid nobody sees the inside; a flat one has no inside.
-    this.faces.material.side = look.opacity === 1 && shape.facets.length > 2 ? FrontSide : DoubleSide;
+    this.faces.material.side =
+      look.opacity === 1 && shape.facets.length > 2 && !look.isTwoSided ? FrontSide : DoubleSide;
     const ends = new Float32Array(shape.ends.length * 3);
     for (let end = 0; end < shape.ends.length; end += 1)
       ends.set(shape.vertices[shape.ends[end] as number] as Vec3, 3 * end);

@@ -22,9 +22,14 @@ export function pictureOf(
   for (const solid of [...solids].sort((one, other) => depth(other) - depth(one))) {
     const { shape, look } = solid;
     const facing = shape.facets.map((facet) => dot3(normalOf(shape, facet), gaze));
+    // Of a body with dents facets that face the reader lie before each other, too.
+    const far = shape.facets.map(
+      (facet) => facet.reduce((sum, vertex) => sum + dot3(shape.vertices[vertex] as Vec3, gaze), 0) / facet.length,
+    );
+    const isAway = (index: number) => Number((facing[index] as number) > 0);
     const order = shape.facets
       .map((_, index) => index)
-      .sort((one, other) => (facing[other] as number) - (facing[one] as number));
+      .sort((one, other) => isAway(other) - isAway(one) || (far[other] as number) - (far[one] as number));
     for (const index of order) {
       const facet = shape.facets[index] as readonly number[];
       const away = (facing[index] as number) > 0;

@@ -16,8 +16,9 @@ pub struct Options {
     ///
     /// Faces of more than three corners are cut into triangles.
     pub(super) a: PathBuf,
-    /// The second mesh.
-    pub(super) b: PathBuf,
+    /// The second mesh; none with `--level`.
+    #[arg(required_unless_present = "level", conflicts_with = "level")]
+    pub(super) b: Option<PathBuf>,
     /// The format of both files, where their extensions do not tell it.
     #[arg(long)]
     pub(super) format: Option<Format>,
@@ -28,19 +29,25 @@ pub struct Options {
     #[arg(long = "move", value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(super) shift: Option<Shift>,
     /// Turn the second mesh.
-    #[arg(long, value_name = "AXIS,DEGREES", allow_hyphen_values = true)]
+    #[arg(long, conflicts_with = "level", value_name = "AXIS,DEGREES", allow_hyphen_values = true)]
     pub(super) turn_b: Option<Turn>,
     /// Move the second mesh, after any turn.
-    #[arg(long = "move-b", value_name = "X,Y,Z", allow_hyphen_values = true)]
+    #[arg(long = "move-b", conflicts_with = "level", value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(super) shift_b: Option<Shift>,
     /// List all pairs of triangles that meet.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "level")]
     pub(super) pairs: bool,
     /// The bounding volume of the hierarchies.
     ///
-    /// The answer does not depend on it.
+    /// Whether meshes meet does not depend on it.
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::id)))]
     pub(super) volume: Option<String>,
+    /// Find the volumes of a level of the first mesh's hierarchy instead; 0 is one volume around all of it.
+    #[arg(long, value_name = "LEVEL")]
+    pub(super) level: Option<u64>,
+    /// Write the volumes of the level as one file of meshes, Wavefront OBJ.
+    #[arg(long, value_name = "FILE")]
+    pub(super) obj: Option<PathBuf>,
     /// Write the answer, in the format of `solve`.
     #[arg(long, value_name = "FILE")]
     pub(super) json: Option<PathBuf>,

@@ -1,18 +1,18 @@
 //! The answer on the screen.
 
+use std::path::Path;
+
 use super::super::asked::{Asked, float};
 use super::super::table::{Table, at_least, at_most, counted};
 use super::options::Options;
 use super::reading::Read;
 use batch::Verdict;
 
-pub(super) fn summary(options: &Options, meshes: [&Read; 2], asked: &Asked, verdict: &Verdict) -> String {
+pub(super) fn summary(options: &Options, meshes: [(&Path, &Read); 2], asked: &Asked, verdict: &Verdict) -> String {
     let result = asked.result();
     let mut table = Table::default();
-    for ((label, file), mesh) in ["a", "b"].into_iter().zip([&options.a, &options.b]).zip(meshes) {
-        let triangles = counted(mesh.triangles, "triangle", "triangles");
-        let vertices = counted(mesh.vertices, "vertex", "vertices");
-        table.row(label, format!("{triangles}, {vertices} in {}", file.display()));
+    for (label, (file, mesh)) in ["a", "b"].into_iter().zip(meshes) {
+        table.row(label, of_mesh(file, mesh));
     }
     if result["intersects"] == true {
         let at = |index: usize| result["witness"][index].as_u64().map_or_else(String::new, |at| (at + 1).to_string());
@@ -27,6 +27,18 @@ pub(super) fn summary(options: &Options, meshes: [&Read; 2], asked: &Asked, verd
         let [lower, upper] = ["lower", "upper"].map(|bound| float(&distance[bound]));
         table.row("distance", format!("between {} and {}", at_least(lower), at_most(upper)));
     }
+    ending(&mut table, options, asked, verdict);
+    table.text()
+}
+
+/// A mesh in words.
+pub(super) fn of_mesh(file: &Path, mesh: &Read) -> String {
+    let triangles = counted(mesh.triangles, "triangle", "triangles");
+    format!("{triangles}, {} in {}", counted(mesh.vertices, "vertex", "vertices"), file.display())
+}
+
+/// The verdict, the volume, and how to check again.
+pub(super) fn ending(table: &mut Table, options: &Options, asked: &Asked, verdict: &Verdict) {
     table.row(
         "check",
         match verdict {
@@ -41,5 +53,4 @@ pub(super) fn summary(options: &Options, meshes: [&Read; 2], asked: &Asked, verd
         _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
     };
     table.row("verify", verify);
-    table.text()
 }

@@ -3,6 +3,7 @@
 mod containment;
 mod degenerate;
 mod distances;
+mod levels;
 mod meshes;
 mod pairs;
 mod refits;

@@ -1,7 +1,8 @@
 //! The box along the axes of the mesh.
 
+use super::shape::Shaped;
 use crate::bvh::frame::Frame;
-use crate::bvh::volume::{BoundingVolume, box_around, expected_overlaps_of_generators};
+use crate::bvh::volume::{BoundingVolume, ROUNDED_BOX, box_around, expected_overlaps_of_generators};
 use crate::zonotope::Zonotope;
 
 /// A box along the axes, by its least and its largest corner.
@@ -40,6 +41,18 @@ impl Aabb {
 pub struct TurnedAxes {
     frame: Frame,
     magnitudes: [[f64; 3]; 3],
+}
+
+impl Shaped for Aabb {
+    fn shape(&self) -> Zonotope<3> {
+        let [a, b, c] = self.half();
+        let generators = [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]].into_iter().filter(|g| *g != [0.0; 3]).collect();
+        Zonotope::new(self.center(), generators).expect("a volume of finite points is finite")
+    }
+
+    fn margin(&self) -> f64 {
+        ROUNDED_BOX
+    }
 }
 
 impl BoundingVolume for Aabb {

@@ -8,12 +8,14 @@
 //! | [`discrete_polytope`] | polytope of 18 or 26 fixed normals | 18 or 26 faces |
 //! | [`zonotope`] | zonotope of 3 to 8 generators | its own facets and the other one's; of 3 generators also 9 pairs |
 //!
-//! `fitting` finds directions of generators; [`least_volume`] asks it for little volume in place of few tests.
+//! [`shape`] has those that are zonotopes in the coordinates of their mesh. `fitting` finds directions of generators;
+//! [`least_volume`] asks it for little volume in place of few tests.
 
 pub mod aabb;
 pub mod discrete_polytope;
 mod fitting;
 pub mod least_volume;
 pub mod oriented_box;
+pub mod shape;
 pub mod sphere;
 pub mod zonotope;

@@ -1,6 +1,7 @@
 //! The box along orthogonal directions that a search finds.
 
 use super::fitting::fit_box;
+use super::shape::Shaped;
 use super::zonotope::Zonotope3;
 use crate::bvh::frame::Frame;
 use crate::bvh::volume::BoundingVolume;
@@ -11,10 +12,13 @@ use crate::zonotope::Zonotope;
 #[derive(Debug, Clone, PartialEq)]
 pub struct OrientedBox(Zonotope3);
 
-impl OrientedBox {
-    /// The box without its margin, for pictures: it may miss its points by rounding.
-    pub fn shape(&self) -> Zonotope<3> {
+impl Shaped for OrientedBox {
+    fn shape(&self) -> Zonotope<3> {
         self.0.shape()
+    }
+
+    fn margin(&self) -> f64 {
+        self.0.margin()
     }
 }
 

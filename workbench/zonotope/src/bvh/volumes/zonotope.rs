@@ -8,6 +8,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::fitting::{Fitted, fit, refit};
+use super::shape::Shaped;
 use crate::bvh::frame::{Frame, REACH_LIMIT};
 use crate::bvh::volume::{BoundingVolume, expected_overlaps_of_generators};
 use crate::numeric::lanes::level::level_for_few;
@@ -95,12 +96,6 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         Self { center: fitted.center, directions, generators, margin, facets }
     }
 
-    /// The body without its margin, for pictures: it may miss its points by rounding.
-    pub fn shape(&self) -> Body<3> {
-        let generators = self.generators.iter().copied().filter(|g| *g != [0.0; 3]).collect();
-        Body::new(self.center, generators).expect("a volume of finite points is finite")
-    }
-
     /// The body with its margin as three generators along the axes.
     fn body(&self) -> Option<Body<3>> {
         let m = self.margin;
@@ -184,6 +179,17 @@ fn largest_of<S: Simd>(lanes: &f64x8<S>) -> f64 {
 fn contains_all(body: &Body<3>, points: &[[f64; 3]]) -> bool {
     let reach = body.generators().iter().map(sum_norm).sum::<f64>() + sum_norm(&body.center());
     reach <= REACH_LIMIT && points.iter().all(|point| body.contains(*point) == Ok(true))
+}
+
+impl<const K: usize, const B: usize> Shaped for Zonotope<K, B> {
+    fn shape(&self) -> Body<3> {
+        let generators = self.generators.iter().copied().filter(|g| *g != [0.0; 3]).collect();
+        Body::new(self.center, generators).expect("a volume of finite points is finite")
+    }
+
+    fn margin(&self) -> f64 {
+        self.margin
+    }
 }
 
 impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {

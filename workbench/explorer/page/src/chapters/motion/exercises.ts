@@ -3,9 +3,10 @@
 import type { Exercise } from "../../kit/chapter";
 import { digits } from "../../kit/vectors";
 import { collide, count, sweep } from "../../library/space";
+import { decimal } from "../../library/fraction";
 import type { Body } from "../../library/shapes";
 import { CUBE } from "../../data/bodies";
-import { decimal, first, questions, REST, type State } from "./state";
+import { first, questions, REST, type State } from "./state";
 
 const cube: Body = { center: [0, 0, 0], generators: CUBE };
 const small: Body = {

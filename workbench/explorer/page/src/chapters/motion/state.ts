@@ -5,6 +5,7 @@ import type { Asking, AskingLater } from "../../kit/chapter";
 import { fields, list, vec3, within } from "../../kit/reading";
 import { bodyAt } from "../../kit/placement";
 import { faces, type Faces } from "../../library/pictures";
+import { decimal } from "../../library/fraction";
 import { collide, count, meet, sweep, type Collision, type Motion } from "../../library/space";
 import type { Body } from "../../library/shapes";
 
@@ -158,12 +159,4 @@ export async function later({ scene }: State, { askLater, verifyLater }: AskingL
     }),
   ]);
   return { of: scene, verdict, volumes };
-}
-
-/** An exact fraction as a double. */
-export function decimal(exact: string): number {
-  const [over = "0", under = "1"] = exact.split("/");
-  // Both parts may be longer than any double: as many digits are dropped of one as of the other.
-  const extra = Math.max(0, Math.min(over.length, under.length) - 30);
-  return Number(over.slice(0, over.length - extra)) / Number(under.slice(0, under.length - extra));
 }
