@@ -130,7 +130,7 @@ mod tests {
                     let sizes: Vec<usize> = all.filter(|n| (plan.smallest..=largest).contains(n)).collect();
                     let [first, last] = [sizes[0], sizes[sizes.len() - 1]];
                     let second: Vec<usize> = sizes.iter().copied().filter(|n| n << LAST_DOUBLINGS >= last).collect();
-                    let doublings = LAST_DOUBLINGS - usize::from(UNEVEN.contains(&experiment.id));
+                    let doublings = LAST_DOUBLINGS - i32::from(UNEVEN.contains(&experiment.id));
                     let is_long = first << LAST_DOUBLINGS <= last
                         && second[0] << doublings <= last
                         && second.len() >= SIZES_OF_LAST_DOUBLINGS;

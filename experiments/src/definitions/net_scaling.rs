@@ -88,7 +88,7 @@ fn by_papers_program(case: &Case, points: &[[f64; 2]]) -> Result<Measurement, St
     let size = Net::Paper.size(2, 1.0 / inverse);
     // two faces of so many cells, and the two axes
     let measured = along_net(points, (size - 2) / 2)?;
-    let reads = |operation: Operation| measured.counts.get(operation.id()).copied().unwrap_or_default() as f64;
+    let reads = |operation: Operation| measured.counts.get(operation.name()).copied().unwrap_or_default() as f64;
     let of_points = reads(Operation::ScanRead) / (points.len() as f64 * inverse);
     let of_program = reads(Operation::EntryRead) / inverse.powi(4);
     Ok(measured

@@ -16,10 +16,12 @@
 //!    its extreme point in the middle. The difference of these two is linear: its maximum over the unit vectors of the
 //!    cone is at most its largest value at a corner of length 1, divided by the least cosine of the corners with the
 //!    middle. The gap to the value in the middle falls with the square of the cone's width.
-//! 3. No value is above the maximum of a convex function of few terms (`difference`), which
-//!    is bounded first, in the same way: it tells distances that are far smaller than what a cone's gap comes to.
+//! 3. No value is above the maximum of a convex function of few terms (`convex_bound`), which is bounded first, in the
+//!    same way: it tells distances that are far smaller than what a cone's gap comes to.
 //! 4. Cut the cone of the highest bound in two at the middle of its longest side, until no bound exceeds (1 + ω) times
 //!    the largest value that was met.
+//! 5. Where the bounds are still farther apart, rounding may hide the distance: the difference is taken exactly, along
+//!    the best directions of both searches and some that are better (`ascent`).
 //!
 //! # Complexity
 //! N cones in all, each at the cost of the generators that change their sign in it; the first ones look at all. A
@@ -32,8 +34,8 @@
 //!
 //! # Numerics
 //! The bounds are those of the exact distance: each holds a bound on the rounding errors of all sums, some k u times
-//! the sum of all lengths for k generators of the farther body. The cones cover the directions exactly. A distance that
-//! is as small as that is not told from 0.
+//! the sum of all lengths for k generators of the farther body. The cones cover the directions exactly. Of a distance
+//! that is as small as that only the convex function and exact values tell.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force).
@@ -54,7 +56,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::answer::Distance;
+use super::ascent::climbed;
 use super::cone::Cone;
+use super::convex_bound::convex_bound;
 use super::difference::{Difference, Rounding, ScaledBodies};
 use super::exact_difference::ExactDifference;
 use crate::zonotope::Zonotope;
@@ -189,14 +193,31 @@ pub(super) fn bounded<const D: usize>(
     limit: Limit,
 ) -> Distance<D> {
     let bodies = ScaledBodies::new(exact);
-    let bounded = |&side: &usize| {
+    let mut starts = Vec::new();
+    let mut convex_upper = 0.0f64;
+    let mut bounded = |&side: &usize| {
         let difference = bodies.difference(side);
         let rounding = difference.rounding();
-        let convex = Side { difference: difference.convex_bound(), rounding, limit: f64::INFINITY };
-        let limit = Search::run(&[convex], width / 2.0, limit.min(Limit::CONVEX)).upper;
-        Side { difference, rounding, limit }
+        let left = ScaledBodies::new(&convex_bound(exact, side));
+        let convex = left.difference(0);
+        let convex = Side { rounding: convex.rounding(), difference: convex, limit: f64::INFINITY };
+        let found = Search::run(&[convex], width / 2.0, limit.min(Limit::CONVEX));
+        let upper = left.unscaled_above(found.upper);
+        convex_upper = convex_upper.max(upper);
+        starts.push((side, found.direction));
+        Side { difference, rounding, limit: bodies.scaled_above(upper) }
     };
-    let sides: Vec<Side<D>> = sides.iter().map(bounded).collect();
-    let found = Search::run(&sides, width, limit);
-    Distance::between(bodies.unscaled_below(found.lower), bodies.unscaled_above(found.upper), found.direction)
+    let searched: Vec<Side<D>> = sides.iter().map(&mut bounded).collect();
+    let found = Search::run(&searched, width, limit);
+    let upper = bodies.unscaled_above(found.upper).min(convex_upper);
+    let (mut lower, mut direction) = (bodies.unscaled_below(found.lower), found.direction);
+    if upper > (1.0 + width) * lower {
+        starts.extend(sides.iter().map(|&side| (side, found.direction)));
+        for (proved, along) in starts.into_iter().filter_map(|(side, start)| climbed(exact, side, start)) {
+            if proved > lower {
+                (lower, direction) = (proved, along);
+            }
+        }
+    }
+    Distance::between(lower.min(upper), upper, direction)
 }

@@ -77,7 +77,7 @@ pub const VERTEX_PRODUCT_LIMIT: u64 = 1 << 15;
 
 /// Operations in rationals of some hundred bits up to which this method answers: more of them are needed only where
 /// many vertices are equally far, or coordinates of many sizes.
-pub const EXACT_OPERATION_LIMIT: u64 = 1 << 16;
+pub const EXACT_OPERATION_LIMIT: u64 = 1 << 18;
 
 /// The bits of a coordinate for which an operation in rationals counts once more.
 const BITS_PER_OPERATION: i64 = 128;

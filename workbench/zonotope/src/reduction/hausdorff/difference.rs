@@ -2,9 +2,8 @@
 
 use super::exact_difference::ExactDifference;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::lanes::Extents;
-use crate::numeric::linear::{add_multiple, dot};
+use crate::numeric::linear::dot;
 use crate::numeric::scaling::PowerOfTwo;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
@@ -65,6 +64,12 @@ impl<const D: usize> ScaledBodies<D> {
         Difference { farther, nearer: self.generators[1 - side].clone() }
     }
 
+    /// A length in the units of the input in those of the doubles, not below it.
+    pub(super) fn scaled_above(&self, length: f64) -> f64 {
+        let value = PowerOfTwo::new(self.exponent).apply(length);
+        if value < f64::MIN_POSITIVE && length > 0.0 { value.next_up() } else { value }
+    }
+
     /// A length in the units of the input, not above it.
     pub(super) fn unscaled_below(&self, length: f64) -> f64 {
         let value = PowerOfTwo::new(-self.exponent).apply(length);
@@ -84,39 +89,6 @@ impl<const D: usize> Difference<D> {
         let count = (self.farther.len() + self.nearer.len()) as f64;
         let magnitude: f64 = [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
         Rounding { of_addition: UNIT * magnitude * LONG_SUM, underflow: count * PRODUCT_UNDERFLOW }
-    }
-
-    /// A convex function that is nowhere less: Σ |u · r| with r = b − Σ ± v for each farther generator b and the nearer
-    /// generators v given to it, by |u · b| ≤ |u · r| + Σ |u · v|.
-    ///
-    /// Every nearer generator goes to the farther one whose direction is nearest to its own. Where each b is nearly the
-    /// sum of its own, this is nearly the difference itself, however small that is. O(n k).
-    pub(super) fn convex_bound(&self) -> Self {
-        let unit = |b: &[f64; D]| {
-            let length = dot(b, b).sqrt();
-            b.map(|c| c / length)
-        };
-        let units: Vec<[f64; D]> = self.farther.iter().map(unit).collect();
-        let mut left = self.farther.clone();
-        let mut tails = vec![[0.0; D]; left.len()];
-        for v in &self.nearer {
-            let (mut nearest, mut product) = (None, 0.0f64);
-            for (index, u) in units.iter().enumerate() {
-                let along = dot(u, v);
-                if along.abs() > product.abs() {
-                    (nearest, product) = (Some(index), along);
-                }
-            }
-            if let Some(index) = nearest {
-                for (k, c) in v.iter().enumerate() {
-                    let (sum, rest) = exact_sum(left[index][k], if product < 0.0 { *c } else { -c });
-                    left[index][k] = sum;
-                    tails[index][k] += rest;
-                }
-            }
-        }
-        left.iter_mut().zip(&tails).for_each(|(sum, tail)| add_multiple(sum, 1.0, tail));
-        Self { farther: left, nearer: Vec::new() }
     }
 
     /// Whether nothing is left of it.

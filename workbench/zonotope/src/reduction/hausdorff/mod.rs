@@ -19,10 +19,12 @@
 //! | [`by_branch_and_bound`] | some thousand cones of directions in space, measured; see there | the default for more |
 
 mod answer;
+mod ascent;
 pub mod brute_force;
 pub mod by_branch_and_bound;
 pub mod by_vertices;
 mod cone;
+mod convex_bound;
 mod difference;
 mod doors;
 mod exact_difference;

@@ -209,3 +209,46 @@ fn a_width_of_0_ends() {
     assert!(narrow.lower <= wide.upper && wide.lower <= narrow.upper && narrow.upper.is_finite());
     assert!(excess(&a, &b, 0.0).upper <= narrow.upper * (1.0 + WIDTH));
 }
+
+/// Generators whose lengths spread over some orders of magnitude, and the same times 1 + 2^-52.
+fn scaled_by_an_ulp<const D: usize>(count: usize, orders: f64) -> [Zonotope<D>; 2] {
+    let generator = |i: usize| -> [f64; D] {
+        let length = libm::pow(10.0, orders * i as f64 / count as f64);
+        array::from_fn(|k| length * libm::sin((i * (2 * k + 3) + 7 * k) as f64 * 0.7))
+    };
+    let generators: Vec<[f64; D]> = (0..count).map(generator).collect();
+    let longer = generators.iter().map(|g| g.map(|c| c * (1.0 + f64::EPSILON))).collect();
+    [generators, longer].map(|list| Zonotope::new([0.0; D], list).expect("finite"))
+}
+
+fn is_about_what_the_generators_differ_by<const D: usize>([a, b]: [Zonotope<D>; 2]) {
+    let far = |g: &[f64; D], h: &[f64; D]| g.iter().zip(h).map(|(g, h)| (g - h) * (g - h)).sum::<f64>().sqrt();
+    let sum: f64 = a.generators().iter().zip(b.generators()).map(|(g, h)| far(g, h)).sum();
+    let distance = hausdorff(&a, &b, WIDTH);
+    assert!(distance.upper <= sum * (1.0 + WIDTH), "{distance:?} {sum}");
+    assert!(distance.lower >= distance.upper / 2.0, "{distance:?} {sum}");
+}
+
+#[test]
+fn nearly_equal_bodies_of_many_generators_are_as_near_as_their_generators() {
+    for orders in [0.0, 9.0, 18.0] {
+        is_about_what_the_generators_differ_by(scaled_by_an_ulp::<2>(120, orders));
+        is_about_what_the_generators_differ_by(scaled_by_an_ulp::<3>(40, orders));
+        is_about_what_the_generators_differ_by(scaled_by_an_ulp::<3>(300, orders));
+    }
+}
+
+#[test]
+fn bodies_of_some_hundred_edges_have_their_distance() {
+    let wheel = |count: usize, shift: f64| -> Zonotope<2> {
+        let generator = |i: usize| {
+            let t = i as f64 * 0.61 + shift;
+            [libm::sin(t * 1.7) * (1.0 + libm::cos(t)), libm::cos(t * 2.3)]
+        };
+        Zonotope::new([0.0; 2], (0..count).map(generator).collect()).expect("finite")
+    };
+    for shift in [0.1, 0.2, 0.3, 0.4, 0.5] {
+        let distance = hausdorff_at_vertices(&wheel(50, 0.0), &wheel(50, shift)).expect("there are few vertices");
+        assert!(distance.upper <= distance.value.next_up(), "{distance:?}");
+    }
+}
