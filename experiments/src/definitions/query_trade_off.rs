@@ -23,8 +23,7 @@ pub const EXPERIMENT: Experiment = Experiment {
                and reads the generators that cross it, `in_trapezoid`, which is the second step of the lemma's proof; \
                `to_find_it` are steps, comparisons and lines looked at to find the trapezoid, and the optimum in it. \
                `operations` are the sum of both, `share_of_bound` their part of (n^2 / m) log^2 n, and `bytes_a_unit` \
-               the bytes over m. At one n that part grows with m, as what is found in a small trapezoid costs the \
-               same whatever m is; the bound of the whole query is judged as n grows, by query-growth. Each \
+               the bytes over m. The bound of the whole query is judged by query-growth, for several n. Each \
                answer is compared with the question's construction, and its proof is checked.",
     claims: &["lemma-5.3", "corollary-5.4"],
     families: FAMILIES,

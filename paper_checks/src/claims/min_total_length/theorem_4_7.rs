@@ -51,7 +51,7 @@ fn check(context: &CheckContext) -> Verdict {
             100.0 * seen.largest_share
         )
     });
-    verdict(context, &CLAIM, found, |_| sizes(), &["papers_net", "net_of_cells"])
+    verdict(context, &CLAIM, found, |_| sizes(), &["papers_program", "papers_net", "net_of_cells"])
 }
 
 #[derive(Default)]

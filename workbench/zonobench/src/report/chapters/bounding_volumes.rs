@@ -25,8 +25,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
          zonotopes for overlapping ones, never the other way round; pairs of triangles are decided exactly, so answers \
          are the same whatever the volume is.",
         "Where zonotopes pay, the record says mesh by mesh: the sentences above and below are made from it. No body \
-         with a centre is tight around a triangle, so they have little to gain at leaves. A test of many generators takes \
-         longer than one of a box, so fewer tests need not be less time: the times are in the other page.",
+         with a centre is tight around a triangle, so they have little to gain at leaves. A test of many generators \
+         takes longer than one of a box, so fewer tests need not be less time: the times are in the other page.",
     ],
     costs: &[Cost {
         text: "The paper: O(n^(d−1)) faces of n generators. A test of two nodes may try the normals of all facets.",
@@ -50,7 +50,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     Some(format!(
         "One per cent of its diagonal apart, two copies of a mesh are proved disjoint by {} times the tests of nodes \
          of searched boxes with zonotopes of six generators, and by {} times with four; six take fewer than boxes \
-         on {fewer} of {} meshes. To find all pairs of triangles of copies that overlap takes {} times the tests. {} {}",
+         on {fewer} of {} meshes. To find all pairs of triangles of copies that overlap takes {} times the tests. {} \
+         {}",
         span(&near)?,
         span(&four)?,
         near.len(),

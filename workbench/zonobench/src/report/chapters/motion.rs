@@ -18,7 +18,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
     method: &[
         "The paper's volume: the ways of all vertices of a turning body lie in a circle through the farthest one's \
          end. A square around it and the translation are three generators more, and a body of them holds all \
-         placements; half of the translation is enough, as generators are half-lengths. Where the volumes of two bodies meet, the step is cut in two.",
+         placements; half of the translation is enough, as generators are half-lengths. Where the volumes of two \
+         bodies meet, the step is cut in two.",
         "Control points: along a direction the gap between the bodies, times a positive polynomial of the time, has \
          Bernstein coefficients that support values bound. If all are positive, one direction proves a whole stretch \
          of time, in space-time and not only in space.",

@@ -80,7 +80,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let (slowest_least, slowest_greatest) = shares("coherence", ["warm", "fresh"])?;
     Some(format!(
         "For an exact gauge, at the largest size of each kind of bodies, a tree over the directions of the generators \
-         reads {least} to {greatest} times what the kernel reads without one; in the slowest motion the kernel that begins with the last frame reads \
-         {slowest_least} to {slowest_greatest} times what a fresh query does, n being the frames of a turn."
+         reads {least} to {greatest} times what the kernel reads without one; in the slowest motion the kernel \
+         that begins with the last frame reads {slowest_least} to {slowest_greatest} times what a fresh query does, n \
+         being the frames of a turn."
     ))
 }

@@ -2,9 +2,8 @@
 //! doubles, exactly.
 //!
 //! The difference along u is u · g for the vector g from the nearer body's extreme point to that of the farther one. No
-//! direction is better for these two points than g itself, so the next direction is g, rounded: the difference of convex
-//! functions climbs by such steps, as the farther body's value along g is at least its extreme point's. A few steps are
-//! taken from each start. O(n) exact operations a step.
+//! direction is better for these two points than g itself, so the next direction is g, rounded. Steps go on while the
+//! difference grows, a few from each start. O(n) exact operations a step.
 
 use std::array;
 

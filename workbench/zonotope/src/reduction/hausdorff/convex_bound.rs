@@ -1,9 +1,10 @@
 //! A convex function that is nowhere less than the difference of two support functions: a bound from above that tells
 //! bodies which are nearly equal.
 //!
-//! For a generator b of the farther body and the nearer generators v that are given to it, |u · b| ≤ |u · r| + Σ |u · v|
-//! with r = b − Σ ± v, so the difference is at most Σ |u · r|. Every nearer generator goes to the farther one whose
-//! direction is nearest to its own. Where each b is nearly the sum of its own, this is nearly the difference itself.
+//! For a generator b of the farther body and the nearer generators v that are given to it, |u · b| is at most the sum
+//! of |u · r| and all |u · v|, with r = b − Σ ± v, so the difference is at most Σ |u · r|. Every nearer generator goes
+//! to the farther one whose direction is nearest to its own. Where each b is nearly the sum of its own, this is nearly
+//! the difference itself.
 //!
 //! What is left is far smaller than the generators then, and rounding them would hide it: it is summed exactly, and
 //! rounded once, to doubles of its own size. O(n k) products and O(n) exact sums.
