@@ -7,12 +7,15 @@ use super::body::could_change_points;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::frame::Frame;
+use super::geojson;
+use super::names::{self, bodies};
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
-use super::{geojson, names};
 use batch::json::Tree;
 
+use super::parsed::parse_points;
 pub(super) use super::parsed::{number, parse};
+use super::table::Counting;
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
 pub(super) fn points(
@@ -22,7 +25,7 @@ pub(super) fn points(
     wanted: Wanted,
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
-    let document = parse(file, content)?;
+    let document = parse_points(file, content)?;
     geojson::refuse_topology(file, &document)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
@@ -46,18 +49,25 @@ pub(super) fn points(
         }
     };
     let others = other_fields(file, &document, |name| name == "points")?;
-    let mut choice = Choice { columns, wanted, width: None, names: Vec::new(), places: Vec::new() };
+    let mut choice = Choice { columns, wanted, width: None, known: Vec::new(), names: Vec::new(), places: Vec::new() };
+    choice.learn(rows);
+    let mut counting = None;
     let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
         let at = |(problem, cell): (Problem, String)| problem.at(file, Place::Path(format!("{path}[{index}]{cell}")));
         let point = match choice.coordinates(row) {
-            Err((problem, _)) if skipping.passes_over(&problem) => continue,
+            Err((problem, _)) if skipping.passes_over(&problem, points.as_ref().map_or(0, Points::len)) => continue,
             read => read.map_err(at)?,
         };
         let dimension = points.as_ref().map_or(point.len(), Points::dimension);
         if point.len() != dimension {
             return Err(at((Problem::Ragged { found: point.len(), expected: dimension }, String::new())));
         }
+        let is_list = row.list().is_some();
+        let counting = counting.get_or_insert_with(|| {
+            Counting::new(columns.is_some() || !is_list, false, &(0..dimension).collect::<Vec<_>>())
+        });
+        counting.note(if is_list { point[0] } else { f64::NAN });
         points
             .get_or_insert_with(|| {
                 Points::of_dimension(dimension).expect("no more coordinates are taken than are read")
@@ -69,7 +79,11 @@ pub(super) fn points(
     let is_mixed = rows.windows(2).any(|pair| pair[0].list().is_some() != pair[1].list().is_some());
     let (columns, mut left_out) = rows.first().and_then(|first| choice.parts(first)).unwrap_or_default();
     left_out.extend(others);
-    Ok(Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out)))
+    let mut reading = Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out));
+    let all: Vec<usize> = (0..reading.points.dimension()).collect();
+    reading.notes.extend(counting.and_then(|counting| counting.in_words(&all, true)));
+    reading.notes.extend(choice.in_another_order());
+    Ok(reading)
 }
 
 /// The fields beside those that hold the points, in words; one that could change the points is refused by name.
@@ -83,6 +97,13 @@ fn other_fields(file: &Path, document: &Tree, holds_points: impl Fn(&str) -> boo
     Ok(others().map(|(name, _)| format!("the field {name}")).collect())
 }
 
+/// Whether names say nothing of what they name, and are as many as a table has columns whose names say nothing: two or
+/// more, none of them that of a label, of a move or of a part of a body.
+pub(super) fn may_be_coordinates(names: &[String], wanted: Wanted) -> bool {
+    let says = |name: &String| names::is_label(name) || geojson::MOVED_BY.contains(&name.as_str());
+    names.len() > 1 && wanted.takes_all(names.len(), true) && !names.iter().any(says) && !bodies::are_of_bodies(names)
+}
+
 type Misplaced = (Problem, String);
 
 /// The choice of the coordinates of a row.
@@ -91,6 +112,8 @@ struct Choice<'a> {
     wanted: Wanted,
     /// The length of the rows that are lists.
     width: Option<usize>,
+    /// The names of the coordinates of the first row that is an object and has them.
+    known: Vec<String>,
     /// The names of the last row that was an object.
     names: Vec<String>,
     /// The places of the coordinates among these names.
@@ -115,7 +138,11 @@ impl Choice<'_> {
                     && self.names.iter().zip(fields).all(|(known, (name, _))| known == name);
                 if self.names.is_empty() || !is_known {
                     self.names = fields.iter().map(|(name, _)| name.clone()).collect();
-                    self.places = self.places_in_object().map_err(|problem| (problem, String::new()))?;
+                    self.places = self.places_in_object(fields).map_err(|problem| {
+                        // The next row is looked at anew.
+                        self.names.clear();
+                        (problem, String::new())
+                    })?;
                 }
                 let coordinate = |&place: &usize| {
                     let (name, value) = &fields[place];
@@ -135,7 +162,41 @@ impl Choice<'_> {
         }
     }
 
-    fn places_in_object(&self) -> Result<Vec<usize>, Problem> {
+    /// Learns the names of the coordinates from the first row that has them, so that a row without one is known.
+    fn learn(&mut self, rows: &[Tree]) {
+        for row in rows {
+            if !self.known.is_empty() {
+                break;
+            }
+            if let Tree::Object(fields) = row {
+                self.names = fields.iter().map(|(name, _)| name.clone()).collect();
+                let places = self.places_in_object(fields).unwrap_or_default();
+                self.known = places.iter().map(|&place| self.names[place].clone()).collect();
+            }
+        }
+        self.names.clear();
+    }
+
+    /// The places of the coordinates in a row; an error by the name of one that other rows have.
+    fn places_in_object(&self, fields: &[(String, Tree)]) -> Result<Vec<usize>, Problem> {
+        let places = self.places_by_names(fields);
+        let is_short = match &places {
+            Ok(places) => places.len() < self.known.len(),
+            Err(problem) => matches!(problem, Problem::NoSuchColumn { .. }),
+        };
+        let has = |known: &&String| self.names.iter().any(|name| name.eq_ignore_ascii_case(known));
+        match self.known.iter().find(|known| is_short && !has(known)) {
+            Some(name) => Err(Problem::NoField(name.clone())),
+            None => places,
+        }
+    }
+
+    /// The remark on fields that are read as they stand, under names that say nothing about their order.
+    fn in_another_order(&self) -> Option<String> {
+        self.columns.is_none().then(|| names::in_another_order(&self.known)).flatten()
+    }
+
+    fn places_by_names(&self, fields: &[(String, Tree)]) -> Result<Vec<usize>, Problem> {
         let available = self.names.join(", ");
         match self.columns {
             // A number is the name of a field here.
@@ -143,11 +204,19 @@ impl Choice<'_> {
                 let by_name: Vec<Column> = columns.iter().map(|column| Column::Name(column.to_string())).collect();
                 names::chosen(&self.names, &Columns(by_name), &available)
             }
-            None => names::of_coordinates(&self.names, self.wanted)?.ok_or_else(|| {
-                let has_x = self.names.iter().any(|name| name.eq_ignore_ascii_case("x"));
-                Problem::NoSuchColumn { name: if has_x { "y" } else { "x" }.to_owned(), available }
-            }),
+            None => names::of_coordinates(&self.names, self.wanted)?
+                .or_else(|| self.all_of_numbers(fields))
+                .ok_or_else(|| {
+                    let has_x = self.names.iter().any(|name| name.eq_ignore_ascii_case("x"));
+                    Problem::NoSuchColumn { name: if has_x { "y" } else { "x" }.to_owned(), available }
+                }),
         }
+    }
+
+    /// All fields where they are as many numbers as a table of coordinates has columns.
+    fn all_of_numbers(&self, fields: &[(String, Tree)]) -> Option<Vec<usize>> {
+        let are_numbers = fields.iter().all(|(_, value)| matches!(value, Tree::Number(_)));
+        (are_numbers && may_be_coordinates(&self.names, self.wanted)).then(|| (0..fields.len()).collect())
     }
 
     /// The parts of a row that hold the coordinates, and the others.
@@ -299,10 +368,7 @@ mod tests {
             complaint("[[1,2,3]]", None),
             "p.json: [0]: has 3 column(s); choose two with --columns, such as --columns 1,2"
         );
-        assert_eq!(
-            complaint("[[1,1e999]]", None),
-            "p.json: line 1, column 9: a number is outside the range of a double"
-        );
+        assert_eq!(complaint("[[1,1e999]]", None), "p.json: [0][1]: '1e999' is outside the range of a double");
         assert!(complaint("[[1,2],\n[3,", None).starts_with("p.json: line 2, column 3: is not JSON: EOF"));
         assert!(complaint("7", None).contains("expected a list of points"));
     }

@@ -111,6 +111,9 @@ pub enum Problem {
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
+    /// A row of JSON has no field that the points of other rows have.
+    #[error("there is no field '{0}', which other points have")]
+    NoField(String),
     /// A cell that should hold a number is empty.
     #[error("the cell is empty")]
     EmptyCell,
@@ -320,7 +323,7 @@ pub fn on_one_line(text: &str) -> String {
 impl Problem {
     /// Whether a number is missing, not finite, or beyond the range of doubles, so that its point may be left out.
     pub(super) fn is_missing(&self) -> bool {
-        matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell)
+        matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell | Self::NoField(_))
     }
 
     /// The complaint about `file` at `place`.
@@ -348,6 +351,7 @@ impl Problem {
             Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
+            Self::NoField(name) => Self::NoField(tidy(name)),
             Self::OutOfRange(cell) => Self::OutOfRange(tidy(cell)),
             Self::DecimalComma(cell) => Self::DecimalComma(tidy(cell)),
             Self::CommaBesideSpaces(cell) => Self::CommaBesideSpaces(tidy(cell)),

@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use super::columns::Columns;
+use super::document::may_be_coordinates;
 use super::error::{InputError, Place, Problem};
 use super::geojson::MOVED_BY;
 use super::names;
@@ -59,8 +60,16 @@ impl<'a> Frame<'a> {
     fn chosen(&self, columns: Option<&Columns>, wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
         match columns {
             Some(columns) => names::chosen(&self.names, columns, &self.names.join(", ")).map(Some),
-            None => names::of_coordinates(&self.names, wanted),
+            None => Ok(names::of_coordinates(&self.names, wanted)?.or_else(|| {
+                let may_be = self.rows > 0 && may_be_coordinates(&self.names, wanted) && self.holds_numbers();
+                may_be.then(|| (0..self.names.len()).collect())
+            })),
         }
+    }
+
+    /// Whether the first row holds nothing but numbers.
+    fn holds_numbers(&self) -> bool {
+        (0..self.names.len()).all(|column| matches!(self.cell(0, column), Tree::Number(_)))
     }
 
     fn cell(&self, row: usize, column: usize) -> &'a Tree {
@@ -90,11 +99,16 @@ impl<'a> Frame<'a> {
                 number(self.cell(row, column)).map_err(|problem| problem.at(file, place()))
             };
             match chosen.iter().map(coordinate).collect::<Result<Vec<f64>, _>>() {
-                Err(error) if skipping.passes_over(&error.problem) => {}
+                Err(error) if skipping.passes_over(&error.problem, points.len()) => {}
                 point => points.push(&point?).map_err(at_file)?,
             }
         }
-        Ok(Some(Reading::of(points, columns_of(&self.names, &chosen))))
+        let mut reading = Reading::of(points, columns_of(&self.names, &chosen));
+        if columns.is_none() {
+            let used: Vec<String> = chosen.iter().map(|&column| self.names[column].clone()).collect();
+            reading.notes.extend(names::in_another_order(&used));
+        }
+        Ok(Some(reading))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The columns of coordinates, by their names or numbers.
 
 mod alike;
+pub(super) mod bodies;
 
 use self::alike::of_alike_names;
 use super::columns::{Column, Columns};

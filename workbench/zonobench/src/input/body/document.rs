@@ -24,7 +24,7 @@ pub(super) fn placed(
     tell: &mut dyn FnMut(&str),
 ) -> Result<Placed, InputError> {
     if document.list().is_some() {
-        let body = layout.body(file, &[], vectors(file, document, "")?, options, tell)?;
+        let body = layout.body(file, (&[], Place::File), vectors(file, document, "")?, options, tell)?;
         return Ok(Placed { body, pose: None });
     }
     if layout != Layout::default() {
