@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::body::could_change_points;
 use super::columns::{Column, Columns};
-use super::error::{InputError, Place, Problem};
+use super::error::{InputError, Place, Problem, numbered};
 use super::frame::Frame;
 use super::geojson;
 use super::names::{self, bodies};
@@ -34,6 +34,10 @@ pub(super) fn points(
             return geojson::points_of(file, &document, columns, skipping);
         }
         (None, None) => {
+            if holds_body(&document) {
+                let problem = "holds a zonotope, not points; `inspect` and the other commands about bodies read it";
+                return Err(Problem::Shape(problem.to_owned()).at(file, Place::File));
+            }
             let frame = Frame::of(&document);
             if let Some(frame) = frame
                 && let Some(mut reading) = frame.points(file, columns, wanted, skipping)?
@@ -84,6 +88,13 @@ pub(super) fn points(
     reading.notes.extend(counting.and_then(|counting| counting.in_words(&all, true)));
     reading.notes.extend(choice.in_another_order());
     Ok(reading)
+}
+
+/// Whether an object is a zonotope, a question about one or an answer with one: it has generators by name, or their
+/// coefficients.
+fn holds_body(document: &Tree) -> bool {
+    let parts = [Some(document), document.field("input"), document.field("result")];
+    parts.into_iter().flatten().any(|part| part.field("generators").or(part.field("coefficients")).is_some())
 }
 
 /// The fields beside those that hold the points, in words; one that could change the points is refused by name.
@@ -158,7 +169,7 @@ impl Choice<'_> {
         match self.columns {
             Some(columns) => names::chosen(&vec![String::new(); cells], columns, &format!("numbered 1 to {cells}")),
             None if self.wanted.takes_all(cells, false) => Ok((0..cells).collect()),
-            None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words() }),
+            None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words(), columns: numbered(cells) }),
         }
     }
 

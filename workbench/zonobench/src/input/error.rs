@@ -226,17 +226,19 @@ pub enum Problem {
         cells: usize,
     },
     /// The file has too many or too few columns for the coordinates to be guessed.
-    #[error("has {cells} column(s); {}", choice(*cells, wanted))]
+    #[error("has {cells} column(s); {}", choice(*cells, wanted, columns))]
     ChooseColumns {
         /// Cells in the first row.
         cells: usize,
         /// The number that there should be.
         wanted: &'static str,
+        /// The columns that may hold coordinates, as `--columns` takes them.
+        columns: Vec<String>,
     },
     /// The cells between commas may be the halves of numbers with decimal commas, so columns are not to be chosen yet.
     #[error(
         "has {cells} columns; if their commas are decimal ones, separate the cells by semicolons or tabs, else {}",
-        choice(*cells, wanted)
+        choice(*cells, wanted, &numbered(*cells))
     )]
     HalvesOrColumns {
         /// Cells in the first row.
@@ -301,14 +303,21 @@ pub enum Problem {
 /// The number of columns of points of the plane.
 pub(super) const TWO: &str = "two";
 
-/// The advice where the columns of the coordinates are not plain: the words to be added, if there are enough columns.
-fn choice(cells: usize, wanted: &str) -> String {
-    match cells {
-        0 | 1 => format!("points need {wanted}"),
-        2 => format!("choose {wanted} with --columns, such as --columns 1,2"),
-        _ if wanted == TWO => format!("choose {wanted} with --columns, such as --columns 1,2"),
-        _ => format!("choose {wanted} with --columns, such as --columns 1,2,3 or --columns 1,2"),
+/// The advice where the columns of the coordinates are not plain, with some of those that may hold them.
+fn choice(cells: usize, wanted: &str, columns: &[String]) -> String {
+    match (cells, columns) {
+        (0 | 1, _) => format!("points need {wanted}"),
+        (_, [] | [_]) => format!("choose {wanted} with --columns"),
+        (_, [x, y, z, ..]) if wanted != TWO => {
+            format!("choose {wanted} with --columns, such as --columns {x},{y},{z} or --columns {x},{y}")
+        }
+        (_, [x, y, ..]) => format!("choose {wanted} with --columns, such as --columns {x},{y}"),
     }
+}
+
+/// So many columns by their numbers.
+pub(super) fn numbered(cells: usize) -> Vec<String> {
+    (1..=cells).map(|number| number.to_string()).collect()
 }
 
 /// The names of the formats, as messages list them.

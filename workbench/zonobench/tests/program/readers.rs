@@ -42,7 +42,7 @@ fn tables() {
         "p.csv",
         "a,b,c\n1,2,3\n",
         &[],
-        "p.csv: has 3 column(s); choose two to four with --columns, such as --columns 1,2,3 or --columns 1,2",
+        "p.csv: has 3 column(s); choose two to four with --columns, such as --columns a,b,c or --columns a,b",
     );
     let missing = "p.csv: line 1: there is no column 'z'; the columns are a, b, c";
     refused("p.csv", "a,b,c\n1,2,3\n", &["--columns", "a,z"], missing);

@@ -1,5 +1,7 @@
 //! A file that changes experiments: other families, sizes and methods, and a reader's own files as inputs.
 
+mod taken;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
@@ -226,9 +228,9 @@ fn family(
     if is_family || base.families.contains(&wanted) {
         return Ok(wanted.to_owned().leak());
     }
-    let known = base.families.join(", ");
-    let near = did_you_mean(wanted, base.families.iter().copied());
-    let problem = format!("`{wanted}` is no family that `{}` takes; its own are {known}{near}", base.id);
+    let known = taken::families(base, sorts);
+    let near = did_you_mean(wanted, known.iter().copied());
+    let problem = format!("`{wanted}` is no family that `{}` takes; those are {}{near}", base.id, known.join(", "));
     Err(source.refused(name.span(), problem))
 }
 
@@ -247,8 +249,13 @@ fn input(
     } else {
         let file = source.file.parent().unwrap_or(Path::new("")).join(wanted);
         if !file.exists() {
-            let near = did_you_mean(wanted, base.real_inputs.iter().copied());
-            return Err(refused(format!("`{wanted}` is neither a real input nor a file{near}")));
+            let known = taken::inputs(sorts);
+            let near = did_you_mean(wanted, known.iter().copied());
+            let known = known.join(", ");
+            return Err(refused(format!(
+                "`{wanted}` is neither a real input nor a file; `{}` takes the real inputs {known}{near}",
+                base.id
+            )));
         }
         if !takes(sorts, Sort::Points) {
             return Err(refused(format!("`{}` takes generated families only, and no files of points", base.id)));
@@ -335,6 +342,14 @@ mod tests {
     #[test]
     fn complaints_name_the_place() {
         let hull = |line: &str| format!("[experiment.hull-scaling]\n{line}\n");
+        for (line, near) in [
+            ("families = [\"Disc\"]", ", disc, "),
+            ("families = [\"disk\"]", "did you mean `disc`?"),
+            ("inputs = [\"itali\"]", "did you mean `italy`?"),
+        ] {
+            let found = read(&hull(line)).expect_err(line);
+            assert!(found.contains(near), "{found}");
+        }
         for (text, complaint) in [
             (hull("sise = [8]"), "line 2, column 1: unknown field `sise`"),
             ("[experiments.x]\n".to_owned(), "line 1, column 2: unknown field `experiments`"),

@@ -94,7 +94,10 @@ fn chosen(array: &Array, columns: Option<&Columns>, wanted: Wanted) -> Result<Ve
     match of_coordinates.or_else(|| array.position(wanted)) {
         Some(columns) => Ok(columns),
         None if wanted.takes_all(cells, is_named) => Ok((0..cells).collect()),
-        None => Err(Problem::ChooseColumns { cells, wanted: wanted.in_words() }),
+        None => {
+            let columns = names::advised(&names, 0..cells);
+            Err(Problem::ChooseColumns { cells, wanted: wanted.in_words(), columns })
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::advice::{available, joins_digits, may_be_atoms, may_be_halves};
+use self::advice::{available, joins_digits, may_be_atoms, may_be_halves, on_one_column};
 pub(super) use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_grid, is_text, opening, text_above_number};
@@ -330,38 +330,17 @@ impl<'a> Table<'a> {
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
         }
         let problem = match cells {
-            1 => Problem::OneColumn(self.advice_on_one_column(first)),
+            1 => Problem::OneColumn(on_one_column(self.text, first)),
             _ if may_be_halves(first, self.text.separator()) => Problem::HalvesOrColumns { cells, wanted },
-            _ => Problem::ChooseColumns { cells, wanted },
+            _ => {
+                let sample = start.second.as_ref().unwrap_or(first);
+                let holds_number = |column: &usize| sample.get(*column).is_some_and(is_number);
+                let named = if has_number(first) { vec![String::new(); names.len()] } else { names };
+                let columns = names::advised(&named, all.iter().copied().filter(holds_number));
+                Problem::ChooseColumns { cells, wanted, columns }
+            }
         };
         Err(problem.at(self.file, Place::File))
-    }
-
-    /// The cure where the first row has one cell: another format, lines above the table, or another separator.
-    fn advice_on_one_column(&self, first: &ByteRecord) -> String {
-        let word = String::from_utf8_lossy(first.get(0).unwrap_or_default()).trim().to_ascii_lowercase();
-        let formats = [("ply", "ply"), ("solid", "stl"), ("off", "off"), ("[", "json"), ("{", "json")];
-        let is_begun = |mark: &str| word == mark || (mark.len() == 1 && word.starts_with(mark));
-        if let Some((mark, format)) = formats.into_iter().find(|(mark, _)| is_begun(mark)) {
-            return format!("it begins with `{mark}`, so it may be of the format {format}: --format {format}");
-        }
-        if first.len() > 1 {
-            let cells = first.len();
-            return format!(
-                "a row has {cells} cells, of which one has a name; choose columns, as by --columns 1,{cells}"
-            );
-        }
-        match self.text.rows().filter_map(Result::ok).find(|row| row.len() > 1) {
-            Some(wider) => {
-                let (line, wide) = (self.text.line(first), self.text.line(&wider));
-                let (cells, skip) = (wider.len(), wide - 1);
-                format!(
-                    "line {line} has 1 cell, and line {wide} has {cells}; if the table begins there, --skip {skip} \
-                     leaves out what stands above it"
-                )
-            }
-            None => "commas, semicolons, tabs, bars and spaces separate the cells of a row".to_owned(),
-        }
     }
 
     fn number(&mut self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {

@@ -89,7 +89,9 @@ impl Elements {
     fn vertex(&mut self, line: u64, numbers: &[&[u8]]) -> Result<(), Misplaced> {
         let at = |problem, column: usize| (problem, Place::Cell { line, column: column as u64 });
         let &[x, y, z, ref rest @ ..] = numbers else {
-            return Err(at(broken("OBJ", "a vertex has three coordinates"), numbers.len() + 1));
+            let has_commas = numbers.iter().any(|number| number.contains(&b','));
+            let between = if has_commas { ", with spaces between them, not commas" } else { "" };
+            return Err(at(broken("OBJ", &format!("a vertex has three coordinates{between}")), numbers.len() + 1));
         };
         if !matches!(rest.len(), 0 | 1 | 3) {
             self.longer.0 += 1;
