@@ -109,9 +109,11 @@ fn other_fields(file: &Path, document: &Tree, holds_points: impl Fn(&str) -> boo
 }
 
 /// Whether names say nothing of what they name, and are as many as a table has columns whose names say nothing: two or
-/// more, none of them that of a label, of a move or of a part of a body.
+/// more, none of them a number, or that of a label, of a move or of a part of a body.
 pub(super) fn may_be_coordinates(names: &[String], wanted: Wanted) -> bool {
-    let says = |name: &String| names::is_label(name) || geojson::MOVED_BY.contains(&name.as_str());
+    let says = |name: &String| {
+        name.parse::<f64>().is_ok() || names::is_label(name) || geojson::MOVED_BY.contains(&name.as_str())
+    };
     names.len() > 1 && wanted.takes_all(names.len(), true) && !names.iter().any(says) && !bodies::are_of_bodies(names)
 }
 

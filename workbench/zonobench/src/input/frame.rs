@@ -161,6 +161,7 @@ mod tests {
             r#"{"x":[1],"n":7}"#,
             r#"{"center":[1,2],"generators":[[1,0],[0,1]]}"#,
             r#"{"columns":["x","y"],"data":[[1]]}"#,
+            r#"{"0":[1,2],"1":[3,4]}"#,
         ] {
             assert_eq!(read(content, None), Ok(None), "{content}");
         }

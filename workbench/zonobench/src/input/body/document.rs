@@ -59,6 +59,9 @@ fn held(whole: Holder<'_>, unread: &mut Vec<String>) -> Result<Placed, InputErro
         None => (whole, ""),
     };
     if input.is_some() {
+        if whole.field(POSE).is_some() {
+            return Err(whole.wrong(POSE, "stands beside `input`, and the pose of a body is a field of the body"));
+        }
         unread.extend(whole.unread(&[&ENVELOPE[..], &["input"]].concat(), None)?);
         if outer.generators()?.is_some() {
             // p and q of a gauge are points, the first of which is the centre.
