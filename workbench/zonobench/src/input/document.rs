@@ -6,9 +6,9 @@ use std::path::Path;
 use super::body::could_change_points;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem, numbered};
-use super::frame::Frame;
+use super::frame::{Frame, may_be_coordinates};
 use super::geojson;
-use super::names::{self, bodies};
+use super::names;
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
 use batch::json::Tree;
@@ -106,15 +106,6 @@ fn other_fields(file: &Path, document: &Tree, holds_points: impl Fn(&str) -> boo
         return Err(Problem::Shape(problem.to_owned()).at(file, Place::Path(name.clone())));
     }
     Ok(others().map(|(name, _)| format!("the field {name}")).collect())
-}
-
-/// Whether names say nothing of what they name, and are as many as a table has columns whose names say nothing: two or
-/// more, none of them a number, or that of a label, of a move or of a part of a body.
-pub(super) fn may_be_coordinates(names: &[String], wanted: Wanted) -> bool {
-    let says = |name: &String| {
-        name.parse::<f64>().is_ok() || names::is_label(name) || geojson::MOVED_BY.contains(&name.as_str())
-    };
-    names.len() > 1 && wanted.takes_all(names.len(), true) && !names.iter().any(says) && !bodies::are_of_bodies(names)
 }
 
 type Misplaced = (Problem, String);

@@ -4,10 +4,9 @@
 use std::path::Path;
 
 use super::columns::Columns;
-use super::document::may_be_coordinates;
 use super::error::{InputError, Place, Problem};
 use super::geojson::MOVED_BY;
-use super::names;
+use super::names::{self, bodies};
 use super::parsed::number;
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
@@ -110,6 +109,14 @@ impl<'a> Frame<'a> {
         }
         Ok(Some(reading))
     }
+}
+
+/// Whether names say nothing of what they name, and are as many as a table has columns whose names say nothing: two or
+/// more, none of them a number, or that of a label, of a move or of a part of a body.
+pub(super) fn may_be_coordinates(names: &[String], wanted: Wanted) -> bool {
+    let says =
+        |name: &String| name.parse::<f64>().is_ok() || names::is_label(name) || MOVED_BY.contains(&name.as_str());
+    names.len() > 1 && wanted.takes_all(names.len(), true) && !names.iter().any(says) && !bodies::are_of_bodies(names)
 }
 
 /// The name of a column; pandas numbers those without one.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use batch::did_you_mean;
 use experiments::catalog::EXPERIMENTS;
-use experiments::data::{self, OwnInput};
+use experiments::data::OwnInput;
 use experiments::definition::{Experiment, FitPlan, PerProfile, Timing, Variant};
 use experiments::runner;
 use families::clouds::Cloud;
@@ -17,6 +17,7 @@ use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
+use self::taken::{Sort, sort_of, takes};
 use crate::commands::usage::{read_telling, tell};
 use crate::digest::sha256;
 use crate::input::{InputError, PointSource, Points, Wanted};
@@ -86,16 +87,6 @@ struct Section {
     instances: Option<Spanned<u32>>,
     repetitions: Option<Spanned<u32>>,
     variants: Option<Vec<Spanned<String>>>,
-}
-
-/// The inputs of an experiment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Sort {
-    Points,
-    Clouds,
-    Lines,
-    Bodies,
-    Motions,
 }
 
 /// The text of the file, for complaints.
@@ -193,28 +184,6 @@ fn changed_experiment(
 
 fn leaked<T>(items: impl Iterator<Item = Result<T, ConfigError>>) -> Result<&'static [T], ConfigError> {
     Ok(Box::leak(items.collect::<Result<Vec<T>, _>>()?.into_boxed_slice()))
-}
-
-/// The sort of a family or of a real input.
-fn sort_of(name: &str) -> Option<Sort> {
-    if families::points::find(name).is_some() || data::points(name).is_some() {
-        Some(Sort::Points)
-    } else if families::lines::find(name).is_some() {
-        Some(Sort::Lines)
-    } else if families::bodies::is_known(name) {
-        Some(Sort::Bodies)
-    } else if families::motions::find(name).is_some() {
-        Some(Sort::Motions)
-    } else if families::clouds::find(name).is_some() || runner::own_size(name).is_some() {
-        Some(Sort::Clouds)
-    } else {
-        None
-    }
-}
-
-/// Whether an experiment about inputs of some sorts takes those of another one: points of the plane are a cloud.
-fn takes(sorts: &[Sort], sort: Sort) -> bool {
-    sorts.contains(&sort) || (sort == Sort::Points && sorts.contains(&Sort::Clouds))
 }
 
 fn family(

@@ -6,7 +6,37 @@ use experiments::data;
 use experiments::definition::Experiment;
 use experiments::runner;
 
-use super::{Sort, sort_of, takes};
+/// The inputs of an experiment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sort {
+    Points,
+    Clouds,
+    Lines,
+    Bodies,
+    Motions,
+}
+
+/// The sort of a family or of a real input.
+pub(super) fn sort_of(name: &str) -> Option<Sort> {
+    if ::families::points::find(name).is_some() || data::points(name).is_some() {
+        Some(Sort::Points)
+    } else if ::families::lines::find(name).is_some() {
+        Some(Sort::Lines)
+    } else if ::families::bodies::is_known(name) {
+        Some(Sort::Bodies)
+    } else if ::families::motions::find(name).is_some() {
+        Some(Sort::Motions)
+    } else if ::families::clouds::find(name).is_some() || runner::own_size(name).is_some() {
+        Some(Sort::Clouds)
+    } else {
+        None
+    }
+}
+
+/// Whether an experiment about inputs of some sorts takes those of another one: points of the plane are a cloud.
+pub(super) fn takes(sorts: &[Sort], sort: Sort) -> bool {
+    sorts.contains(&sort) || (sort == Sort::Points && sorts.contains(&Sort::Clouds))
+}
 
 /// The families that an experiment takes: its own, and the others of the same sorts.
 pub(super) fn families(base: &Experiment, sorts: &[Sort]) -> Vec<&'static str> {
