@@ -65,7 +65,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let statuses: Vec<&str> =
         asked.result()["status"].as_array().into_iter().flatten().filter_map(|status| status.as_str()).collect();
     let mut lines = String::new();
-    for (number, (status, gauge)) in (1..).zip(statuses.iter().zip(floats(&asked.result()["gauge"]))) {
+    for (number, (status, gauge)) in reading.numbers().zip(statuses.iter().zip(floats(&asked.result()["gauge"]))) {
         // a gauge that no multiple of the body reaches has the name that it has in the answer
         let gauge = if gauge == f64::INFINITY { "Infinity".to_owned() } else { in_full(gauge) };
         writeln!(lines, "{number}\t{status}\t{gauge}").expect("writing to a string does not fail");

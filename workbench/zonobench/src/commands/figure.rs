@@ -31,7 +31,10 @@ pub struct Options {
 
 /// Runs the experiments that the figure shows, in the quick profile, and draws it.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let figure = figures::catalog::find(&options.id).ok_or_else(|| Usage::UnknownId(options.id.clone()))?;
+    let figure = figures::catalog::find(&options.id).ok_or_else(|| {
+        let experiment = experiments::catalog::find(&options.id);
+        experiment.map_or_else(|| Usage::UnknownId(options.id.clone()), |experiment| Usage::NoFigure(experiment.id))
+    })?;
     check_names(&[("SVG", Some(&options.svg))])?;
     let outputs = Outputs::checked([&options.svg], &[], Existing::from_force(options.force))?;
     let experiments: Vec<&'static Experiment> =

@@ -26,6 +26,9 @@ pub enum Usage {
         near = near_id(.0)
     )]
     UnknownId(String),
+    /// The id of an experiment stands where that of a figure is wanted.
+    #[error("'{0}' is an experiment, not a figure; `zonobench reproduce --only {0}` runs it")]
+    NoFigure(&'static str),
     /// There is no command of the name.
     #[error("'{name}': there is no command of this name; `zonobench help` names those that there are{near}")]
     UnknownCommand {

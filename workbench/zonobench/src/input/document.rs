@@ -5,14 +5,17 @@ use std::path::Path;
 
 use super::body::could_change_points;
 use super::columns::{Column, Columns};
-use super::error::{InputError, Place, Problem};
-use super::frame::Frame;
+use super::error::{InputError, Place, Problem, numbered};
+use super::frame::{Frame, may_be_coordinates};
+use super::geojson;
+use super::names;
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
-use super::{geojson, names};
 use batch::json::Tree;
 
+use super::parsed::parse_points;
 pub(super) use super::parsed::{number, parse};
+use super::table::Counting;
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
 pub(super) fn points(
@@ -22,7 +25,7 @@ pub(super) fn points(
     wanted: Wanted,
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
-    let document = parse(file, content)?;
+    let document = parse_points(file, content)?;
     geojson::refuse_topology(file, &document)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
@@ -31,6 +34,10 @@ pub(super) fn points(
             return geojson::points_of(file, &document, columns, skipping);
         }
         (None, None) => {
+            if holds_body(&document) {
+                let problem = "holds a zonotope, not points; `inspect` and the other commands about bodies read it";
+                return Err(Problem::Shape(problem.to_owned()).at(file, Place::File));
+            }
             let frame = Frame::of(&document);
             if let Some(frame) = frame
                 && let Some(mut reading) = frame.points(file, columns, wanted, skipping)?
@@ -46,18 +53,25 @@ pub(super) fn points(
         }
     };
     let others = other_fields(file, &document, |name| name == "points")?;
-    let mut choice = Choice { columns, wanted, width: None, names: Vec::new(), places: Vec::new() };
+    let mut choice = Choice { columns, wanted, width: None, known: Vec::new(), names: Vec::new(), places: Vec::new() };
+    choice.learn(rows);
+    let mut counting = None;
     let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
         let at = |(problem, cell): (Problem, String)| problem.at(file, Place::Path(format!("{path}[{index}]{cell}")));
         let point = match choice.coordinates(row) {
-            Err((problem, _)) if skipping.passes_over(&problem) => continue,
+            Err((problem, _)) if skipping.passes_over(&problem, points.as_ref().map_or(0, Points::len)) => continue,
             read => read.map_err(at)?,
         };
         let dimension = points.as_ref().map_or(point.len(), Points::dimension);
         if point.len() != dimension {
             return Err(at((Problem::Ragged { found: point.len(), expected: dimension }, String::new())));
         }
+        let is_list = row.list().is_some();
+        let counting = counting.get_or_insert_with(|| {
+            Counting::new(columns.is_some() || !is_list, false, &(0..dimension).collect::<Vec<_>>())
+        });
+        counting.note(if is_list { point[0] } else { f64::NAN });
         points
             .get_or_insert_with(|| {
                 Points::of_dimension(dimension).expect("no more coordinates are taken than are read")
@@ -69,7 +83,18 @@ pub(super) fn points(
     let is_mixed = rows.windows(2).any(|pair| pair[0].list().is_some() != pair[1].list().is_some());
     let (columns, mut left_out) = rows.first().and_then(|first| choice.parts(first)).unwrap_or_default();
     left_out.extend(others);
-    Ok(Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out)))
+    let mut reading = Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out));
+    let all: Vec<usize> = (0..reading.points.dimension()).collect();
+    reading.notes.extend(counting.and_then(|counting| counting.in_words(&all, true)));
+    reading.notes.extend(choice.in_another_order());
+    Ok(reading)
+}
+
+/// Whether an object is a zonotope, a question about one or an answer with one: it has generators by name, or their
+/// coefficients.
+fn holds_body(document: &Tree) -> bool {
+    let parts = [Some(document), document.field("input"), document.field("result")];
+    parts.into_iter().flatten().any(|part| part.field("generators").or(part.field("coefficients")).is_some())
 }
 
 /// The fields beside those that hold the points, in words; one that could change the points is refused by name.
@@ -91,6 +116,8 @@ struct Choice<'a> {
     wanted: Wanted,
     /// The length of the rows that are lists.
     width: Option<usize>,
+    /// The names of the coordinates of the first row that is an object and has them.
+    known: Vec<String>,
     /// The names of the last row that was an object.
     names: Vec<String>,
     /// The places of the coordinates among these names.
@@ -115,7 +142,11 @@ impl Choice<'_> {
                     && self.names.iter().zip(fields).all(|(known, (name, _))| known == name);
                 if self.names.is_empty() || !is_known {
                     self.names = fields.iter().map(|(name, _)| name.clone()).collect();
-                    self.places = self.places_in_object().map_err(|problem| (problem, String::new()))?;
+                    self.places = self.places_in_object(fields).map_err(|problem| {
+                        // The next row is looked at anew.
+                        self.names.clear();
+                        (problem, String::new())
+                    })?;
                 }
                 let coordinate = |&place: &usize| {
                     let (name, value) = &fields[place];
@@ -131,11 +162,45 @@ impl Choice<'_> {
         match self.columns {
             Some(columns) => names::chosen(&vec![String::new(); cells], columns, &format!("numbered 1 to {cells}")),
             None if self.wanted.takes_all(cells, false) => Ok((0..cells).collect()),
-            None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words() }),
+            None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words(), columns: numbered(cells) }),
         }
     }
 
-    fn places_in_object(&self) -> Result<Vec<usize>, Problem> {
+    /// Learns the names of the coordinates from the first row that has them, so that a row without one is known.
+    fn learn(&mut self, rows: &[Tree]) {
+        for row in rows {
+            if !self.known.is_empty() {
+                break;
+            }
+            if let Tree::Object(fields) = row {
+                self.names = fields.iter().map(|(name, _)| name.clone()).collect();
+                let places = self.places_in_object(fields).unwrap_or_default();
+                self.known = places.iter().map(|&place| self.names[place].clone()).collect();
+            }
+        }
+        self.names.clear();
+    }
+
+    /// The places of the coordinates in a row; an error by the name of one that other rows have.
+    fn places_in_object(&self, fields: &[(String, Tree)]) -> Result<Vec<usize>, Problem> {
+        let places = self.places_by_names(fields);
+        let is_short = match &places {
+            Ok(places) => places.len() < self.known.len(),
+            Err(problem) => matches!(problem, Problem::NoSuchColumn { .. }),
+        };
+        let has = |known: &&String| self.names.iter().any(|name| name.eq_ignore_ascii_case(known));
+        match self.known.iter().find(|known| is_short && !has(known)) {
+            Some(name) => Err(Problem::NoField(name.clone())),
+            None => places,
+        }
+    }
+
+    /// The remark on fields that are read as they stand, under names that say nothing about their order.
+    fn in_another_order(&self) -> Option<String> {
+        self.columns.is_none().then(|| names::in_another_order(&self.known)).flatten()
+    }
+
+    fn places_by_names(&self, fields: &[(String, Tree)]) -> Result<Vec<usize>, Problem> {
         let available = self.names.join(", ");
         match self.columns {
             // A number is the name of a field here.
@@ -143,11 +208,19 @@ impl Choice<'_> {
                 let by_name: Vec<Column> = columns.iter().map(|column| Column::Name(column.to_string())).collect();
                 names::chosen(&self.names, &Columns(by_name), &available)
             }
-            None => names::of_coordinates(&self.names, self.wanted)?.ok_or_else(|| {
-                let has_x = self.names.iter().any(|name| name.eq_ignore_ascii_case("x"));
-                Problem::NoSuchColumn { name: if has_x { "y" } else { "x" }.to_owned(), available }
-            }),
+            None => names::of_coordinates(&self.names, self.wanted)?
+                .or_else(|| self.all_of_numbers(fields))
+                .ok_or_else(|| {
+                    let has_x = self.names.iter().any(|name| name.eq_ignore_ascii_case("x"));
+                    Problem::NoSuchColumn { name: if has_x { "y" } else { "x" }.to_owned(), available }
+                }),
         }
+    }
+
+    /// All fields where they are as many numbers as a table of coordinates has columns.
+    fn all_of_numbers(&self, fields: &[(String, Tree)]) -> Option<Vec<usize>> {
+        let are_numbers = fields.iter().all(|(_, value)| matches!(value, Tree::Number(_)));
+        (are_numbers && may_be_coordinates(&self.names, self.wanted)).then(|| (0..fields.len()).collect())
     }
 
     /// The parts of a row that hold the coordinates, and the others.
@@ -299,10 +372,7 @@ mod tests {
             complaint("[[1,2,3]]", None),
             "p.json: [0]: has 3 column(s); choose two with --columns, such as --columns 1,2"
         );
-        assert_eq!(
-            complaint("[[1,1e999]]", None),
-            "p.json: line 1, column 9: a number is outside the range of a double"
-        );
+        assert_eq!(complaint("[[1,1e999]]", None), "p.json: [0][1]: '1e999' is outside the range of a double");
         assert!(complaint("[[1,2],\n[3,", None).starts_with("p.json: line 2, column 3: is not JSON: EOF"));
         assert!(complaint("7", None).contains("expected a list of points"));
     }

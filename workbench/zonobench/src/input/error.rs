@@ -111,6 +111,9 @@ pub enum Problem {
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
+    /// A row of JSON has no field that the points of other rows have.
+    #[error("there is no field '{0}', which other points have")]
+    NoField(String),
     /// A cell that should hold a number is empty.
     #[error("the cell is empty")]
     EmptyCell,
@@ -223,17 +226,19 @@ pub enum Problem {
         cells: usize,
     },
     /// The file has too many or too few columns for the coordinates to be guessed.
-    #[error("has {cells} column(s); {}", choice(*cells, wanted))]
+    #[error("has {cells} column(s); {}", choice(*cells, wanted, columns))]
     ChooseColumns {
         /// Cells in the first row.
         cells: usize,
         /// The number that there should be.
         wanted: &'static str,
+        /// The columns that may hold coordinates, as `--columns` takes them.
+        columns: Vec<String>,
     },
     /// The cells between commas may be the halves of numbers with decimal commas, so columns are not to be chosen yet.
     #[error(
         "has {cells} columns; if their commas are decimal ones, separate the cells by semicolons or tabs, else {}",
-        choice(*cells, wanted)
+        choice(*cells, wanted, &numbered(*cells))
     )]
     HalvesOrColumns {
         /// Cells in the first row.
@@ -298,14 +303,21 @@ pub enum Problem {
 /// The number of columns of points of the plane.
 pub(super) const TWO: &str = "two";
 
-/// The advice where the columns of the coordinates are not plain: the words to be added, if there are enough columns.
-fn choice(cells: usize, wanted: &str) -> String {
-    match cells {
-        0 | 1 => format!("points need {wanted}"),
-        2 => format!("choose {wanted} with --columns, such as --columns 1,2"),
-        _ if wanted == TWO => format!("choose {wanted} with --columns, such as --columns 1,2"),
-        _ => format!("choose {wanted} with --columns, such as --columns 1,2,3 or --columns 1,2"),
+/// The advice where the columns of the coordinates are not plain, with some of those that may hold them.
+fn choice(cells: usize, wanted: &str, columns: &[String]) -> String {
+    match (cells, columns) {
+        (0 | 1, _) => format!("points need {wanted}"),
+        (_, [] | [_]) => format!("choose {wanted} with --columns"),
+        (_, [x, y, z, ..]) if wanted != TWO => {
+            format!("choose {wanted} with --columns, such as --columns {x},{y},{z} or --columns {x},{y}")
+        }
+        (_, [x, y, ..]) => format!("choose {wanted} with --columns, such as --columns {x},{y}"),
     }
+}
+
+/// So many columns by their numbers.
+pub(super) fn numbered(cells: usize) -> Vec<String> {
+    (1..=cells).map(|number| number.to_string()).collect()
 }
 
 /// The names of the formats, as messages list them.
@@ -320,7 +332,7 @@ pub fn on_one_line(text: &str) -> String {
 impl Problem {
     /// Whether a number is missing, not finite, or beyond the range of doubles, so that its point may be left out.
     pub(super) fn is_missing(&self) -> bool {
-        matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell)
+        matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell | Self::NoField(_))
     }
 
     /// The complaint about `file` at `place`.
@@ -348,6 +360,7 @@ impl Problem {
             Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
+            Self::NoField(name) => Self::NoField(tidy(name)),
             Self::OutOfRange(cell) => Self::OutOfRange(tidy(cell)),
             Self::DecimalComma(cell) => Self::DecimalComma(tidy(cell)),
             Self::CommaBesideSpaces(cell) => Self::CommaBesideSpaces(tidy(cell)),

@@ -63,17 +63,16 @@ impl Format {
 
     /// The format of a file: the one that was chosen, or that its extension names.
     pub(super) fn of_file(file: &Path, chosen: Option<Self>) -> Result<Self, InputError> {
-        let problem = match (chosen.or_else(|| Self::of_extension(file)), file.extension()) {
-            (Some(format), _) => return Ok(format),
-            _ if file.is_dir() => Problem::Folder,
-            (None, Some(extension)) if Self::is_foreign(&extension.to_string_lossy()) => {
-                Problem::ForeignFormat(extension.to_string_lossy().into_owned())
-            }
-            (None, Some(extension)) => Problem::UnreadFormat(extension.to_string_lossy().into_owned()),
-            (None, None) => match file.metadata() {
-                Err(error) if file.as_os_str() != "-" => Problem::Unreadable(error),
-                _ => Problem::UnknownFormat,
-            },
+        if let Some(format) = chosen.or_else(|| Self::of_extension(file)) {
+            return Ok(format);
+        }
+        let is_standard_input = file.as_os_str() == "-";
+        let problem = match (file.metadata(), file.extension().map(|extension| extension.to_string_lossy())) {
+            (Err(error), _) if !is_standard_input => Problem::Unreadable(error),
+            (Ok(metadata), _) if metadata.is_dir() => Problem::Folder,
+            (_, Some(extension)) if Self::is_foreign(&extension) => Problem::ForeignFormat(extension.into_owned()),
+            (_, Some(extension)) => Problem::UnreadFormat(extension.into_owned()),
+            (_, None) => Problem::UnknownFormat,
         };
         Err(problem.at(file, Place::File))
     }
@@ -117,14 +116,24 @@ mod tests {
     /// Text readers make nothing of these files, so that a message about them does not advise one.
     #[test]
     fn known_formats_that_are_not_read_are_to_be_exported() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let told = |name: &str, chosen: Option<Format>| {
+            let file = folder.path().join(name);
+            std::fs::write(&file, "1,2\n").expect("written");
+            Format::of_file(&file, chosen).map_err(|error| error.to_string())
+        };
         for extension in ["xlsx", "glb", "dae", "vtk", "vtu", "msh", "pcd", "GLTF"] {
-            let file = format!("m.{extension}");
-            let complaint = Format::of_file(Path::new(&file), None).expect_err(&file).to_string();
+            let name = format!("m.{extension}");
+            let complaint = told(&name, None).expect_err(&name);
             assert!(complaint.contains("export the points as CSV, or the mesh as STL or PLY"), "{complaint}");
             assert!(!complaint.contains("--format"), "{complaint}");
-            assert!(Format::of_file(Path::new(&file), Some(Format::Csv)).is_ok(), "{file}");
+            assert!(told(&name, Some(Format::Csv)).is_ok(), "{name}");
         }
-        let complaint = Format::of_file(Path::new("p.dat"), None).expect_err("unknown").to_string();
+        let complaint = told("p.dat", None).expect_err("unknown");
         assert!(complaint.contains("--format csv"), "{complaint}");
+        for name in ["absent.dwg", "absent.xlsx", "iris.cvs", "absent"] {
+            let complaint = Format::of_file(Path::new(name), None).expect_err(name).to_string();
+            assert!(complaint.contains("cannot be read: No such file"), "{complaint}");
+        }
     }
 }

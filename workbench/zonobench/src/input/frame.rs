@@ -6,7 +6,7 @@ use std::path::Path;
 use super::columns::Columns;
 use super::error::{InputError, Place, Problem};
 use super::geojson::MOVED_BY;
-use super::names;
+use super::names::{self, bodies};
 use super::parsed::number;
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
@@ -59,8 +59,16 @@ impl<'a> Frame<'a> {
     fn chosen(&self, columns: Option<&Columns>, wanted: Wanted) -> Result<Option<Vec<usize>>, Problem> {
         match columns {
             Some(columns) => names::chosen(&self.names, columns, &self.names.join(", ")).map(Some),
-            None => names::of_coordinates(&self.names, wanted),
+            None => Ok(names::of_coordinates(&self.names, wanted)?.or_else(|| {
+                let may_be = self.rows > 0 && may_be_coordinates(&self.names, wanted) && self.holds_numbers();
+                may_be.then(|| (0..self.names.len()).collect())
+            })),
         }
+    }
+
+    /// Whether the first row holds nothing but numbers.
+    fn holds_numbers(&self) -> bool {
+        (0..self.names.len()).all(|column| matches!(self.cell(0, column), Tree::Number(_)))
     }
 
     fn cell(&self, row: usize, column: usize) -> &'a Tree {
@@ -90,12 +98,25 @@ impl<'a> Frame<'a> {
                 number(self.cell(row, column)).map_err(|problem| problem.at(file, place()))
             };
             match chosen.iter().map(coordinate).collect::<Result<Vec<f64>, _>>() {
-                Err(error) if skipping.passes_over(&error.problem) => {}
+                Err(error) if skipping.passes_over(&error.problem, points.len()) => {}
                 point => points.push(&point?).map_err(at_file)?,
             }
         }
-        Ok(Some(Reading::of(points, columns_of(&self.names, &chosen))))
+        let mut reading = Reading::of(points, columns_of(&self.names, &chosen));
+        if columns.is_none() {
+            let used: Vec<String> = chosen.iter().map(|&column| self.names[column].clone()).collect();
+            reading.notes.extend(names::in_another_order(&used));
+        }
+        Ok(Some(reading))
     }
+}
+
+/// Whether names say nothing of what they name, and are as many as a table has columns whose names say nothing: two or
+/// more, none of them a number, or that of a label, of a move or of a part of a body.
+pub(super) fn may_be_coordinates(names: &[String], wanted: Wanted) -> bool {
+    let says =
+        |name: &String| name.parse::<f64>().is_ok() || names::is_label(name) || MOVED_BY.contains(&name.as_str());
+    names.len() > 1 && wanted.takes_all(names.len(), true) && !names.iter().any(says) && !bodies::are_of_bodies(names)
 }
 
 /// The name of a column; pandas numbers those without one.
@@ -147,6 +168,7 @@ mod tests {
             r#"{"x":[1],"n":7}"#,
             r#"{"center":[1,2],"generators":[[1,0],[0,1]]}"#,
             r#"{"columns":["x","y"],"data":[[1]]}"#,
+            r#"{"0":[1,2],"1":[3,4]}"#,
         ] {
             assert_eq!(read(content, None), Ok(None), "{content}");
         }

@@ -200,7 +200,7 @@ fn positions(value: &Tree, depth: u32, path: String, met: &mut Positions) -> Res
         None => Err((Problem::Shape("the position has no altitude".to_owned()), path.clone())),
     };
     let point = match met.axes.iter().map(coordinate).collect::<Result<Vec<f64>, _>>() {
-        Err((problem, _)) if met.skipping.passes_over(&problem) => return Ok(()),
+        Err((problem, _)) if met.skipping.passes_over(&problem, met.points.len()) => return Ok(()),
         point => point?,
     };
     let most = if met.axes.contains(&2) { 3 } else { 2 };

@@ -79,7 +79,8 @@ impl PointSource {
         let columns = self.columns.as_ref();
         let mut reading = match format {
             Format::Csv | Format::Xyz => {
-                let shape = table::Shape { columns, skip: self.skip, wanted, is_cloud: format == Format::Xyz };
+                let (has_options, is_cloud) = (self.skip_nan.is_some(), format == Format::Xyz);
+                let shape = table::Shape { columns, skip: self.skip, wanted, has_options, is_cloud };
                 table::points(file, &content, &shape, &mut skipping)
             }
             Format::Geojson => geojson::points(file, &content, columns, &mut skipping),
@@ -89,6 +90,7 @@ impl PointSource {
         }
         .map_err(|error| self.with_advice(error))?;
         reading.left_out.extend(skipping.in_words());
+        reading.skipped = skipping.into_places();
         if matches!(format, Format::Json | Format::Geojson) {
             reading.losses = json_losses(&content, 1);
         }

@@ -1,6 +1,7 @@
 //! The columns of coordinates, by their names or numbers.
 
 mod alike;
+pub(super) mod bodies;
 
 use self::alike::of_alike_names;
 use super::columns::{Column, Columns};
@@ -114,6 +115,17 @@ const LABELS: [&str; 13] =
 /// Whether a name is that of a column that numbers or weighs the rows of a table; capitals do not matter.
 pub(super) fn is_label(name: &str) -> bool {
     LABELS.iter().any(|label| label.eq_ignore_ascii_case(name))
+}
+
+/// The columns that may hold coordinates, as `--columns` takes them: of those given by place, the ones that are no labels,
+/// by name where a shell leaves the name as it is and no other column has it, else by number.
+pub(super) fn advised(names: &[String], places: impl IntoIterator<Item = usize>) -> Vec<String> {
+    let is_plain = |name: &String| {
+        let begins = name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+        begins && name.chars().all(|c| c.is_alphanumeric() || "_-.".contains(c)) && !is_repeated(names, name)
+    };
+    let places = places.into_iter().filter(|&place| !is_label(&names[place]));
+    places.map(|place| if is_plain(&names[place]) { names[place].clone() } else { (place + 1).to_string() }).collect()
 }
 
 /// The way in which the named columns of vectors are put in order.

@@ -9,10 +9,26 @@ use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Parses a document, with the parser's complaints placed in the file.
 pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
+    parsed(file, content, false)
+}
+
+/// Parses a document of points, with numbers beyond the range of doubles as texts, so that each is met in its place.
+pub(super) fn parse_points(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
+    parsed(file, content, true)
+}
+
+fn parsed(file: &Path, content: &[u8], quotes_beyond: bool) -> Result<Tree, InputError> {
     let text = encoding::text(content).map_err(|problem| problem.at(file, Place::File))?;
-    let read = json::read(&text, MAX_VALUES).or_else(|error| match (&error, with_quoted_non_finite(&text)) {
-        (ReadError::Syntax { .. }, Some(quoted)) => json::read(&quoted, MAX_VALUES),
-        _ => Err(error),
+    let read = json::read(&text, MAX_VALUES).or_else(|error| {
+        let is_quotable = match &error {
+            ReadError::Syntax { .. } => true,
+            ReadError::OutOfRange { .. } => quotes_beyond,
+            _ => false,
+        };
+        match is_quotable.then(|| with_quotes(&text, quotes_beyond)).flatten() {
+            Some(quoted) => json::read(&quoted, MAX_VALUES),
+            None => Err(error),
+        }
     });
     read.map_err(|error| match error {
         ReadError::TooManyValues { limit } => Problem::TooMany { what: "values", limit }.at(file, Place::File),
@@ -32,8 +48,9 @@ pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
     })
 }
 
-/// The text with quotes around NaN and the infinities, which Python writes without; `None` if there are none.
-fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
+/// The text with quotes around NaN and the infinities, which Python writes without, and perhaps around numbers beyond
+/// the range of doubles; `None` if there are none.
+fn with_quotes(text: &[u8], quotes_beyond: bool) -> Option<Vec<u8>> {
     let mut quoted = Vec::with_capacity(text.len());
     let (mut is_found, mut is_in_string, mut index) = (false, false, 0);
     while let Some(&byte) = text.get(index) {
@@ -42,6 +59,15 @@ fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
         if let Some(word) = word.filter(|_| !is_in_string) {
             quoted.extend([b"\"", word.as_bytes(), b"\""].concat());
             (is_found, index) = (true, index + word.len());
+            continue;
+        }
+        if quotes_beyond && !is_in_string && (byte == b'-' || byte.is_ascii_digit()) {
+            let length = rest.iter().take_while(|byte| b"+-.eE0123456789".contains(byte)).count();
+            let number = &rest[..length];
+            let is_beyond = matches!(word::number(number), Err(Problem::OutOfRange(_)));
+            let mark: &[u8] = if is_beyond { b"\"" } else { b"" };
+            quoted.extend([mark, number, mark].concat());
+            (is_found, index) = (is_found || is_beyond, index + length);
             continue;
         }
         // A quote behind a backslash ends no string.
@@ -56,7 +82,7 @@ fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
 /// Whether each of the first two lines that are not blank is a list or an object by itself.
 fn is_a_value_a_line(text: &[u8]) -> bool {
     let is_value = |line: &[u8]| {
-        let read = json::read(line, MAX_VALUES).or_else(|error| match with_quoted_non_finite(line) {
+        let read = json::read(line, MAX_VALUES).or_else(|error| match with_quotes(line, false) {
             Some(quoted) => json::read(&quoted, MAX_VALUES),
             None => Err(error),
         });

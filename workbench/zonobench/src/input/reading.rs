@@ -19,6 +19,8 @@ pub struct Reading {
     pub columns: Vec<Column>,
     /// The columns, or other parts such as altitudes, that the points leave out.
     pub left_out: Vec<String>,
+    /// The points that are left out as not finite, counted from 0 among all points of the file, in order.
+    pub skipped: Vec<usize>,
     /// Other things to know about the reading, such as decimal commas.
     pub notes: Vec<String>,
     /// The numbers that were rounded though they are whole, or read as zero though they are not, in words.
@@ -32,13 +34,18 @@ pub struct Reading {
 impl Reading {
     /// Points from the given columns, of a file that is yet to be named.
     pub(super) fn of(points: Points, (columns, left_out): (Vec<Column>, Vec<String>)) -> Self {
-        let (faces, notes, losses) = (Vec::new(), Vec::new(), None);
-        Self { points, faces, columns, left_out, notes, losses, format: None, sha256: String::new() }
+        let (faces, skipped, notes, losses) = (Vec::new(), Vec::new(), Vec::new(), None);
+        Self { points, faces, columns, left_out, skipped, notes, losses, format: None, sha256: String::new() }
     }
 
     /// Points of a file that has no columns.
     pub(super) fn without_columns(points: Points, left_out: Vec<String>) -> Self {
         Self::of(points, (Vec::new(), left_out))
+    }
+
+    /// The numbers of the points in the file, from 1 on: those that are left out have one, too.
+    pub fn numbers(&self) -> impl Iterator<Item = usize> {
+        (0..).filter(|place| self.skipped.binary_search(place).is_err()).map(|place| place + 1).take(self.points.len())
     }
 
     /// Refuses points with another number of coordinates than is wanted.
@@ -74,30 +81,37 @@ impl Reading {
 #[derive(Debug, Default)]
 pub(super) struct Skipping {
     is_on: bool,
-    count: usize,
+    places: Vec<usize>,
 }
 
 impl Skipping {
     /// None yet.
     pub(super) fn new(is_on: bool) -> Self {
-        Self { is_on, count: 0 }
+        Self { is_on, places: Vec::new() }
     }
 
-    /// Whether the point with this problem is left out; it is counted then.
-    pub(super) fn passes_over(&mut self, problem: &Problem) -> bool {
+    /// Whether the point with this problem, before which so many were kept, is left out; its place is noted then.
+    pub(super) fn passes_over(&mut self, problem: &Problem, kept: usize) -> bool {
         let is_left_out = self.is_on && problem.is_missing();
-        self.count += usize::from(is_left_out);
+        if is_left_out {
+            self.places.push(kept + self.places.len());
+        }
         is_left_out
     }
 
     /// The number of points that were left out.
     pub(super) fn count(&self) -> usize {
-        self.count
+        self.places.len()
+    }
+
+    /// The places of the points that were left out, among all of the file.
+    pub(super) fn into_places(self) -> Vec<usize> {
+        self.places
     }
 
     /// The points that were left out, in words.
     pub(super) fn in_words(&self) -> Option<String> {
-        counted(self.count, "point that is not finite", "points that are not finite")
+        counted(self.count(), "point that is not finite", "points that are not finite")
     }
 }
 

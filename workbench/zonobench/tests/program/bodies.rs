@@ -1,6 +1,7 @@
 //! Bodies from files: the centre wherever it stands, the pose wherever it is given, and what is not read is said.
 
 mod levels;
+mod spellings;
 
 use std::fs;
 use std::path::Path;

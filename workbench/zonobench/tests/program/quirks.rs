@@ -2,6 +2,7 @@
 //! what a reading leaves out, or takes in a way that is not plain.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 
@@ -160,4 +161,83 @@ fn geojson_with_altitudes_gaps_and_another_name() {
 #[test]
 fn rows_of_json_by_the_names_that_tables_may_have() {
     read("p.json", r#"[{"Lat":1,"lon":2},{"lon":0,"Lat":0},{"lon":2,"Lat":5}]"#, &[], 3, "lon, Lat");
+}
+
+/// The numbers of `contains` are those of the points in the file, whatever is left out.
+#[test]
+fn points_that_are_left_out_keep_their_numbers() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("a.json"), r#"{"center": [0, 0], "generators": [[1, 0], [0, 1]]}"#).expect("written");
+    let contents = [
+        ("p.csv", "5,5\nnan,1\n0,0\n"),
+        ("p.json", "[[5,5],[1e400,1],[0,0]]"),
+        ("q.json", r#"[{"x":5,"y":5},{"x":3},{"x":0,"y":0}]"#),
+        ("r.json", r#"{"x":[5,null,0],"y":[5,1,0]}"#),
+    ];
+    for (name, content) in contents {
+        fs::write(folder.path().join(name), content).expect("written");
+        let outcome = run(folder.path(), &["contains", "a.json", name, "--skip-nan"]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (0, "1\toutside\t5.0\n3\tinside\t0.0\n"), "{name}");
+        let refused = run(folder.path(), &["contains", "a.json", name]);
+        assert!(refused.stderr.contains("--skip-nan leaves such points out"), "{name}: {}", refused.stderr);
+    }
+}
+
+/// Rows of JSON under names that say nothing are read as those of a table are, and a first column that counts is told.
+#[test]
+fn rows_of_json_as_tables() {
+    let told = "b, a; the columns b, a are read in the order in which they stand";
+    read("p.csv", "b,a\n2,3\n0,0\n1,5\n", &[], 3, told);
+    read("p.json", r#"[{"b":2,"a":3},{"b":0,"a":0},{"b":1,"a":5}]"#, &[], 3, told);
+    read("p.json", r#"{"b":[2,0,1],"a":[3,0,5]}"#, &[], 3, told);
+    let counts = "1, 2; column 1 counts the rows and is read as a coordinate";
+    read("p.json", "[[0,5],[1,6],[2,9]]", &[], 3, counts);
+    refused(
+        "p.json",
+        r#"{"center":[0,0],"generators":[[1,0],[0,1]]}"#,
+        &[],
+        "holds a zonotope, not points; `inspect` and the other commands about bodies read it",
+    );
+}
+
+/// The columns that a message proposes have names and numbers, and are no labels.
+#[test]
+fn columns_that_are_advised_may_hold_coordinates() {
+    let advice = |cells: usize| format!("has {cells} column(s); choose two to four with --columns, such as --columns ");
+    refused("p.csv", ",a,b,c\n0,1,2,3\n1,4,5,6\n", &[], &(advice(3) + "a,b,c or --columns a,b"));
+    refused("p.csv", "id,name,a,b\n7,u,1,2\n8,v,4,5\n", &[], &(advice(4) + "a,b"));
+    refused("p.csv", "id,a b,c,d\n7,1,2,3\n", &[], &(advice(4) + "2,c,d or --columns 2,c"));
+    let title = "has 1 column, and points of the plane or of space need two or three; line 1 has 1 cell, and line 2 has \
+                 2; if the table begins there, --skip 1 leaves out what stands above it";
+    refused("p.csv", "title\nx,y\n1,2\n", &[], title);
+}
+
+#[test]
+fn numbers_behind_the_vertices_of_obj_are_told() {
+    for (numbers, count) in [("2 0.5 0.5 0.5", 7), ("1 2", 5), ("1 2 3 4 5 6", 9)] {
+        let told = format!(
+            "left out: the numbers behind three coordinates of 1 vertex (the first has {count}, line 1), which may be a \
+             weight and a colour"
+        );
+        read("m.obj", format!("v 2 0 0 {numbers}\nv 0 0 0\nv 0 1 0\nv 0 0 1\n"), &[], 4, &told);
+    }
+    refused(
+        "m.obj",
+        "v 1,0,0\n",
+        &[],
+        "line 1, column 2: is not OBJ: a vertex has three coordinates, with spaces between them, not commas",
+    );
+}
+
+/// A file that is not there is told first, an experiment is no figure.
+#[test]
+fn names_of_nothing() {
+    for name in ["nosuch.dwg", "iris.cvs", "nosuch.xlsx"] {
+        let outcome = run(Path::new("."), &["enclose", name]);
+        let complaint = format!("zonobench: {name}: cannot be read: No such file or directory (os error 2)\n");
+        assert_eq!((outcome.status, outcome.stderr), (1, complaint));
+    }
+    let outcome = run(Path::new("."), &["figure", "hull-scaling", "--svg", "x.svg"]);
+    let told = "'hull-scaling' is an experiment, not a figure; `zonobench reproduce --only hull-scaling` runs it";
+    assert!(outcome.stderr.contains(told), "{}", outcome.stderr);
 }

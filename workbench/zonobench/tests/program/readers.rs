@@ -42,7 +42,7 @@ fn tables() {
         "p.csv",
         "a,b,c\n1,2,3\n",
         &[],
-        "p.csv: has 3 column(s); choose two to four with --columns, such as --columns 1,2,3 or --columns 1,2",
+        "p.csv: has 3 column(s); choose two to four with --columns, such as --columns a,b,c or --columns a,b",
     );
     let missing = "p.csv: line 1: there is no column 'z'; the columns are a, b, c";
     refused("p.csv", "a,b,c\n1,2,3\n", &["--columns", "a,z"], missing);
@@ -125,7 +125,12 @@ fn documents() {
     refused("p.json", "[[1,2],\n[3,x]]", &[], "p.json: line 2, column 4: is not JSON: expected value");
     let infinity = "p.json: [1][0]: 'Infinity' is not a finite number; --skip-nan leaves such points out";
     refused("p.json", "[[1,2],[\"Infinity\",4]]", &[], infinity);
-    refused("p.json", "[[1,2],[3,1e999]]", &[], "p.json: line 1, column 15: a number is outside the range of a double");
+    refused(
+        "p.json",
+        "[[1,2],[3,1e999]]",
+        &[],
+        "p.json: [1][1]: '1e999' is outside the range of a double; --skip-nan leaves such points out",
+    );
     refused("p.geojson", "{\"type\":\"FeatureCollection\",\"features\":[]}", &[], "p.geojson: holds no points");
     let (outcome, wrote) = enclose("p.json", "[".repeat(300_000).as_bytes(), &[]);
     assert!(outcome.stderr.contains("recursion limit exceeded"), "{}", outcome.stderr);

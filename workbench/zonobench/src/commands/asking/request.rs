@@ -180,7 +180,17 @@ mod tests {
         let points = Points::Plane(vec![[1.0, 2.0]]);
         let (faces, left_out, notes) = (Vec::new(), Vec::new(), Vec::new());
         let format = Some(Format::Csv);
-        let reading = Reading { points, faces, columns, left_out, notes, losses: None, format, sha256: "ab".into() };
+        let reading = Reading {
+            points,
+            faces,
+            columns,
+            left_out,
+            skipped: Vec::new(),
+            notes,
+            losses: None,
+            format,
+            sha256: "ab".into(),
+        };
         asking.record(&reading, objective).expect("the axes are directions").to_string()
     }
 

@@ -22,6 +22,9 @@ pub enum RecordsError {
         /// The system's complaint.
         source: std::io::Error,
     },
+    /// The folder has no records, or there is no such folder.
+    #[error("{}: is no folder that `reproduce` wrote", .0.display())]
+    NoRun(PathBuf),
     /// A line is no record.
     #[error("{}: line {line}: is no record", .file.display())]
     NoRecord {
@@ -58,6 +61,9 @@ impl RunRecords {
     /// The records of a run in its folder.
     pub(in crate::commands) fn read(run: &Path) -> Result<Self, RecordsError> {
         let [counts, times] = Self::files(run);
+        if !counts.is_file() && !times.is_file() {
+            return Err(RecordsError::NoRun(run.to_path_buf()));
+        }
         let manifest = fs::read_to_string(run.join(MANIFEST)).ok();
         let run = manifest.and_then(|manifest| serde_json::from_str(&manifest).ok());
         Ok(Self { counts: rows(&counts)?, times: rows(&times)?, run })

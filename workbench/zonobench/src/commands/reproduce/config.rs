@@ -1,5 +1,7 @@
 //! A file that changes experiments: other families, sizes and methods, and a reader's own files as inputs.
 
+mod taken;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
@@ -7,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use batch::did_you_mean;
 use experiments::catalog::EXPERIMENTS;
-use experiments::data::{self, OwnInput};
+use experiments::data::OwnInput;
 use experiments::definition::{Experiment, FitPlan, PerProfile, Timing, Variant};
 use experiments::runner;
 use families::clouds::Cloud;
@@ -15,6 +17,7 @@ use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
+use self::taken::{Sort, sort_of, takes};
 use crate::commands::usage::{read_telling, tell};
 use crate::digest::sha256;
 use crate::input::{InputError, PointSource, Points, Wanted};
@@ -84,16 +87,6 @@ struct Section {
     instances: Option<Spanned<u32>>,
     repetitions: Option<Spanned<u32>>,
     variants: Option<Vec<Spanned<String>>>,
-}
-
-/// The inputs of an experiment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Sort {
-    Points,
-    Clouds,
-    Lines,
-    Bodies,
-    Motions,
 }
 
 /// The text of the file, for complaints.
@@ -193,28 +186,6 @@ fn leaked<T>(items: impl Iterator<Item = Result<T, ConfigError>>) -> Result<&'st
     Ok(Box::leak(items.collect::<Result<Vec<T>, _>>()?.into_boxed_slice()))
 }
 
-/// The sort of a family or of a real input.
-fn sort_of(name: &str) -> Option<Sort> {
-    if families::points::find(name).is_some() || data::points(name).is_some() {
-        Some(Sort::Points)
-    } else if families::lines::find(name).is_some() {
-        Some(Sort::Lines)
-    } else if families::bodies::is_known(name) {
-        Some(Sort::Bodies)
-    } else if families::motions::find(name).is_some() {
-        Some(Sort::Motions)
-    } else if families::clouds::find(name).is_some() || runner::own_size(name).is_some() {
-        Some(Sort::Clouds)
-    } else {
-        None
-    }
-}
-
-/// Whether an experiment about inputs of some sorts takes those of another one: points of the plane are a cloud.
-fn takes(sorts: &[Sort], sort: Sort) -> bool {
-    sorts.contains(&sort) || (sort == Sort::Points && sorts.contains(&Sort::Clouds))
-}
-
 fn family(
     base: &Experiment,
     sorts: &[Sort],
@@ -226,9 +197,9 @@ fn family(
     if is_family || base.families.contains(&wanted) {
         return Ok(wanted.to_owned().leak());
     }
-    let known = base.families.join(", ");
-    let near = did_you_mean(wanted, base.families.iter().copied());
-    let problem = format!("`{wanted}` is no family that `{}` takes; its own are {known}{near}", base.id);
+    let known = taken::families(base, sorts);
+    let near = did_you_mean(wanted, known.iter().copied());
+    let problem = format!("`{wanted}` is no family that `{}` takes; those are {}{near}", base.id, known.join(", "));
     Err(source.refused(name.span(), problem))
 }
 
@@ -247,8 +218,13 @@ fn input(
     } else {
         let file = source.file.parent().unwrap_or(Path::new("")).join(wanted);
         if !file.exists() {
-            let near = did_you_mean(wanted, base.real_inputs.iter().copied());
-            return Err(refused(format!("`{wanted}` is neither a real input nor a file{near}")));
+            let known = taken::inputs(sorts);
+            let near = did_you_mean(wanted, known.iter().copied());
+            let known = known.join(", ");
+            return Err(refused(format!(
+                "`{wanted}` is neither a real input nor a file; `{}` takes the real inputs {known}{near}",
+                base.id
+            )));
         }
         if !takes(sorts, Sort::Points) {
             return Err(refused(format!("`{}` takes generated families only, and no files of points", base.id)));
@@ -335,6 +311,14 @@ mod tests {
     #[test]
     fn complaints_name_the_place() {
         let hull = |line: &str| format!("[experiment.hull-scaling]\n{line}\n");
+        for (line, near) in [
+            ("families = [\"Disc\"]", ", disc, "),
+            ("families = [\"disk\"]", "did you mean `disc`?"),
+            ("inputs = [\"itali\"]", "did you mean `italy`?"),
+        ] {
+            let found = read(&hull(line)).expect_err(line);
+            assert!(found.contains(near), "{found}");
+        }
         for (text, complaint) in [
             (hull("sise = [8]"), "line 2, column 1: unknown field `sise`"),
             ("[experiments.x]\n".to_owned(), "line 1, column 2: unknown field `experiments`"),

@@ -24,7 +24,7 @@ pub(super) fn placed(
     tell: &mut dyn FnMut(&str),
 ) -> Result<Placed, InputError> {
     if document.list().is_some() {
-        let body = layout.body(file, &[], vectors(file, document, "")?, options, tell)?;
+        let body = layout.body(file, (&[], Place::File), vectors(file, document, "")?, options, tell)?;
         return Ok(Placed { body, pose: None });
     }
     if layout != Layout::default() {
@@ -59,6 +59,9 @@ fn held(whole: Holder<'_>, unread: &mut Vec<String>) -> Result<Placed, InputErro
         None => (whole, ""),
     };
     if input.is_some() {
+        if whole.field(POSE).is_some() {
+            return Err(whole.wrong(POSE, "stands beside `input`, and the pose of a body is a field of the body"));
+        }
         unread.extend(whole.unread(&[&ENVELOPE[..], &["input"]].concat(), None)?);
         if outer.generators()?.is_some() {
             // p and q of a gauge are points, the first of which is the centre.

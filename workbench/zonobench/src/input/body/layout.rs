@@ -3,8 +3,8 @@
 
 use super::OptionNames;
 use super::zonotope::Body;
-use crate::input::error::{InputError, Place, Problem};
-use crate::input::names::Order;
+use crate::input::error::{InputError, Place, Problem, on_one_line};
+use crate::input::names::{Order, bodies};
 use std::path::Path;
 
 /// The layout of the vectors of a body in a table, in an array, or in a list of lists.
@@ -16,36 +16,33 @@ pub struct Layout {
     pub center_first: bool,
 }
 
-/// Names of a column that holds the centre.
-const CENTERS: [&str; 3] = ["center", "centre", "c"];
-
-/// The form of a generator by the names of columns before their numbers.
-const GENERATORS: [&str; 4] = ["g", "gen", "generator", "generators"];
-
 impl Layout {
     /// The order of named columns: whether they are coordinates or vectors.
     pub(super) fn order(self) -> Order {
         if self.columns_are_generators { Order::AsTheyStand } else { Order::Coordinates }
     }
 
-    /// The body of rows with the names of their columns, if they have names. What is not plain is told in a line.
+    /// The body of rows with the names of their columns, if they have names, and the place of these. What is not plain
+    /// is told in a line.
     pub(super) fn body(
         self,
         file: &Path,
-        names: &[String],
+        (names, place): (&[String], Place),
         rows: Vec<Vec<f64>>,
         options: OptionNames,
         tell: &mut dyn FnMut(&str),
     ) -> Result<Body, InputError> {
         let named = Named::of(names);
         let is_default = self == Self::default();
-        if is_default && named == Named::CenterAmongOthers {
+        if let (true, Named::AmongOthers(index)) = (is_default, named) {
             let problem = format!(
-                "a column is named as a centre or a generator, but not all others are named as generators, g1, g2, …; \
-                 {} and {} say how the table is to be read",
-                options.columns_are_generators, options.center_first
+                "the column '{}' is named as a centre or a generator, but not all others are named as generators, g1, \
+                 g2, …; {} and {} say how the table is to be read, and so does another name",
+                on_one_line(&names[index]),
+                options.columns_are_generators,
+                options.center_first
             );
-            return Err(Problem::Shape(problem).at(file, Place::Line(1)));
+            return Err(Problem::Shape(problem).at(file, place));
         }
         // Names of the columns say which way the vectors lie, whatever the options say of their order.
         let by_columns = self.columns_are_generators || matches!(named, Named::Generators { .. });
@@ -81,32 +78,23 @@ enum Named {
     Nothing,
     /// All columns are generators but for one that may be the centre.
     Generators { center: Option<usize> },
-    /// Some are called a centre or generators, others are not.
-    CenterAmongOthers,
+    /// One, by its place, is called a centre or a generator, and others are not.
+    AmongOthers(usize),
 }
 
 impl Named {
     fn of(names: &[String]) -> Self {
-        let is_center = |name: &String| CENTERS.iter().any(|center| name.eq_ignore_ascii_case(center));
-        let is_generator = |name: &String| {
-            let name = name.to_ascii_lowercase();
-            let word = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(['_', ' ', '-']);
-            GENERATORS.contains(&word)
-        };
-        // A name such as g1 is that of a vector; a column g alone may be a colour.
-        let is_numbered = |name: &str| {
-            let word = name.to_ascii_lowercase();
-            let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
-            letters != word && (GENERATORS.contains(&letters.trim_end_matches(['_', ' ', '-'])) || letters == "v")
-        };
-        let centers: Vec<usize> = (0..names.len()).filter(|&index| is_center(&names[index])).collect();
-        let others = || names.iter().filter(|name| !is_center(name));
+        let centers = bodies::centers(names);
+        let are_generators =
+            |centers: &[usize]| (0..names.len()).all(|k| centers.contains(&k) || bodies::is_generator(&names[k]));
         match *centers.as_slice() {
-            [] if !names.is_empty() && others().all(is_generator) => Self::Generators { center: None },
-            [center] if others().all(is_generator) => Self::Generators { center: Some(center) },
-            _ if centers.iter().any(|&index| names[index].len() > 1) => Self::CenterAmongOthers,
-            _ if names.iter().any(|name| is_numbered(name)) => Self::CenterAmongOthers,
-            _ => Self::Nothing,
+            [] if !names.is_empty() && are_generators(&[]) => Self::Generators { center: None },
+            [center] if are_generators(&centers) => Self::Generators { center: Some(center) },
+            [center, ..] => Self::AmongOthers(center),
+            [] => {
+                let numbered = names.iter().position(|name| bodies::is_numbered_vector(name));
+                numbered.map_or(Self::Nothing, Self::AmongOthers)
+            }
         }
     }
 }
@@ -129,8 +117,10 @@ mod tests {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
         let rows = rows.iter().map(|row| row.to_vec()).collect();
         let mut told = Vec::new();
-        let read = layout
-            .body(Path::new("z.csv"), &names, rows, OptionNames::OF_SECOND, &mut |line| told.push(line.to_owned()));
+        let read =
+            layout.body(Path::new("z.csv"), (&names, Place::Line(1)), rows, OptionNames::OF_SECOND, &mut |line| {
+                told.push(line.to_owned());
+            });
         (read.map_err(|error| error.to_string()), told)
     }
 
@@ -181,7 +171,15 @@ mod tests {
 
     #[test]
     fn a_centre_among_columns_of_other_names_is_asked_about() {
-        let (found, _) = read(Layout::default(), &["name", "center", "u"], &MATRIX);
-        assert!(found.expect_err("it may be meant in two ways").contains("a column is named as a centre"));
+        let matrix: [&[f64]; 2] = [&[10.0, 1.0], &[0.0, 0.0]];
+        for names in [["c", "x1"], ["C", "A1"], ["mean", "pc1"], ["center", "centre"], ["Midpoint", "c1"], ["c", "a"]] {
+            let (found, _) = read(Layout::default(), &names, &matrix);
+            let complaint = found.expect_err("it may be meant in two ways");
+            assert!(complaint.contains(&format!("line 1: the column '{}' is named as a centre", names[0])));
+        }
+        let (found, told) = read(Layout::default(), &["centroid", "g"], &matrix);
+        assert_eq!((found, told.len()), (body(&[10.0, 0.0], &[&[1.0, 0.0]]), 1));
+        let tall: [&[f64]; 3] = [&[10.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0, 0.0, 1.0]];
+        assert!(read(Layout::default(), &["c", "x1", "x2"], &tall).0.is_err());
     }
 }

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use super::bytes::read_limited;
 use super::document::parse;
 use super::error::{InputError, Place, Problem, on_one_line};
+use super::names::bodies;
 use super::number::in_json;
 use super::{Format, npy, signature, table};
 use crate::digest::sha256;
@@ -26,6 +27,9 @@ pub(super) use names::could_change_points;
 pub use options::OptionNames;
 pub use placed::{ExactBody, Placed, RoundedBody};
 pub use pose::PoseDocument;
+
+/// The longest part of a comment that a message quotes.
+const COMMENT_LIMIT: usize = 60;
 
 /// The content that a zonotope was read from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -92,34 +96,25 @@ impl BodySource {
             Format::Csv => {
                 let rows = table::rows(file, content, self.layout.order())?;
                 rows.notes.iter().for_each(|note| tell(note));
-                if let (Some(index), false) = (rows.center, self.layout.columns_are_generators) {
-                    if self.layout.center_first && index > 0 {
-                        let problem = format!(
-                            "row {} of numbers is called a centre, while {} takes the first one",
-                            index + 1,
-                            self.options.center_first
-                        );
-                        return Err(Problem::Shape(problem).at(file, Place::File));
-                    }
-                    tell(&format!("row {} of numbers is read as the centre, as it is called", index + 1));
+                if let Some(center) = self.called_center(&rows)? {
+                    tell(&format!("row {} of numbers is read as the centre, as it is called", center + 1));
                     let mut generators = rows.numbers;
-                    let center = generators.remove(index);
+                    let center = generators.remove(center);
                     return Ok(Placed { body: body(file, Some(center), generators)?, pose: None });
                 }
+                self.refuse_comment_on_center(&rows)?;
                 if rows.are_named_as_points() && self.layout == Layout::default() {
                     let names = rows.names.join(", ");
                     let advice = "`zonobench enclose` makes a body around points";
                     tell(&format!("each row of {names} is read as a generator; {advice}"));
                     return Ok(Placed { body: body(file, None, rows.numbers)?, pose: None });
                 }
-                let body = self.layout.body(file, &rows.names, rows.numbers, self.options, &mut tell)?;
-                Ok(Placed { body, pose: None })
+                self.laid_out(rows, tell)
             }
             Format::Npy => {
                 let rows = npy::rows(file, content, self.layout.order())?;
                 rows.notes.iter().for_each(|note| tell(note));
-                let body = self.layout.body(file, &rows.names, rows.numbers, self.options, &mut tell)?;
-                Ok(Placed { body, pose: None })
+                self.laid_out(rows, tell)
             }
             Format::Json => {
                 in_json::losses(content, 1).in_words().iter().for_each(|losses| tell(losses));
@@ -127,6 +122,50 @@ impl BodySource {
             }
             other => Err(self.holds_none(other)),
         }
+    }
+
+    /// The body of vectors that the names of the columns and the options tell.
+    fn laid_out(&self, rows: table::Rows, mut tell: &mut dyn FnMut(&str)) -> Result<Placed, InputError> {
+        let place = rows.header.map_or(Place::File, Place::Line);
+        let body = self.layout.body(&self.file, (&rows.names, place), rows.numbers, self.options, &mut tell)?;
+        Ok(Placed { body, pose: None })
+    }
+
+    /// The row that a column of names calls the centre, where rows are vectors; an error if there are two.
+    fn called_center(&self, rows: &table::Rows) -> Result<Option<usize>, InputError> {
+        if self.layout.columns_are_generators {
+            return Ok(None);
+        }
+        let wrong = |problem: String, place: Place| Err(Problem::Shape(problem).at(&self.file, place));
+        match *rows.centers.as_slice() {
+            [(_, first), (_, second), ..] => wrong(
+                format!("this row and that of line {first} are called a centre, and a body has one"),
+                Place::Line(second),
+            ),
+            [(index, _)] if self.layout.center_first && index > 0 => {
+                let option = self.options.center_first;
+                let place = index + 1;
+                wrong(
+                    format!("row {place} of numbers is called a centre, while {option} takes the first one"),
+                    Place::File,
+                )
+            }
+            [(index, _)] => Ok(Some(index)),
+            [] => Ok(None),
+        }
+    }
+
+    /// Refuses a table without a centre of which a comment says something of one.
+    fn refuse_comment_on_center(&self, rows: &table::Rows) -> Result<(), InputError> {
+        let has_center = self.layout.center_first || !bodies::centers(&rows.names).is_empty();
+        let Some((line, comment)) = rows.comment_on_center.as_ref().filter(|_| !has_center) else { return Ok(()) };
+        let problem = format!(
+            "the comment '{}' speaks of a centre, and comments are not read; name the columns center, g1, …, or put the \
+             centre first and say {}",
+            on_one_line(&comment.chars().take(COMMENT_LIMIT).collect::<String>()),
+            self.options.center_first
+        );
+        Err(Problem::Shape(problem).at(&self.file, Place::Line(*line)))
     }
 
     /// Refuses a content that is of another format than the one in which it is to be read.

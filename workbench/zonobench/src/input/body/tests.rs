@@ -81,6 +81,10 @@ fn answers_without_a_body_say_so() {
         (r#"{"result":{"center":[0],"coefficients":[1]}}"#, "names no directions"),
         (r#"{"request":{"directions":[[1]]},"result":{"center":[0],"coefficients":[1,2]}}"#, "2 coefficients"),
         (r#"{"result":{"center":[0],"generators":[["x"]]}}"#, "result.generators[0][0]: 'x' is not a number"),
+        (
+            r#"{"input":{"generators":[[1,0]]},"pose":{"translation":[1,2]}}"#,
+            "pose: stands beside `input`, and the pose of a body is a field of the body",
+        ),
         (r#"{"c":[0,0],"G":[[1,2],[3]]}"#, "G[1]: the row has 1 cells, not 2"),
         (r#"{"c":[0,0,0],"G":[[1,2],[3,4]]}"#, "G: the matrix has 2 rows, not 3"),
     ];

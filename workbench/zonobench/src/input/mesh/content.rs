@@ -28,8 +28,9 @@ impl Mesh {
         skipping: &mut Skipping,
         place: impl Fn(usize) -> Place,
     ) -> Result<(), Misplaced> {
+        let kept = self.vertices.len().saturating_sub(skipping.count());
         let vertex = match vertex {
-            Err(problem) if skipping.passes_over(&problem) => Ok([f64::NAN; 3]),
+            Err(problem) if skipping.passes_over(&problem, kept) => Ok([f64::NAN; 3]),
             vertex => vertex,
         };
         let number = self.vertices.len() + 1;

@@ -14,7 +14,7 @@ use super::names::{self, Order};
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::points::{MAX_POINTS, push_limited};
 use super::reading::{Reading, Skipping, columns_of};
-use super::table::Rows;
+use super::table::{Counting, Rows};
 
 /// The largest number of columns of an array of points, and of numbers in a record.
 const COLUMN_LIMIT: usize = 1 << 16;
@@ -33,17 +33,21 @@ pub(super) fn points(
     let array = Array::of(content).map_err(|problem| problem.at(file, Place::File))?;
     let chosen = chosen(&array, columns, wanted).map_err(|problem| problem.at(file, Place::File))?;
     let mut points = Points::of_dimension(chosen.len()).expect("no more columns are chosen than are read");
+    let is_named = array.names().iter().any(|name| !name.is_empty());
+    let mut counting = Counting::new(columns.is_some(), is_named, &chosen);
     let mut point = [0.0; COORDINATE_LIMIT];
     'rows: for row in 0..array.rows {
         for (slot, &column) in point.iter_mut().zip(&chosen) {
             *slot = match array.number(file, row, column) {
-                Err(error) if skipping.passes_over(&error.problem) => continue 'rows,
+                Err(error) if skipping.passes_over(&error.problem, points.len()) => continue 'rows,
                 number => number?,
             };
         }
+        counting.note(point[0]);
         points.push(&point[..chosen.len()]).map_err(|problem| problem.at(file, Place::File))?;
     }
     let mut reading = Reading::of(points, columns_of(&array.names(), &chosen));
+    reading.notes.extend(counting.in_words(&chosen, true));
     if columns.is_none() {
         let names = array.names();
         reading.notes.extend(names::in_another_order(&chosen.iter().map(|&c| names[c].clone()).collect::<Vec<_>>()));
@@ -90,7 +94,10 @@ fn chosen(array: &Array, columns: Option<&Columns>, wanted: Wanted) -> Result<Ve
     match of_coordinates.or_else(|| array.position(wanted)) {
         Some(columns) => Ok(columns),
         None if wanted.takes_all(cells, is_named) => Ok((0..cells).collect()),
-        None => Err(Problem::ChooseColumns { cells, wanted: wanted.in_words() }),
+        None => {
+            let columns = names::advised(&names, 0..cells);
+            Err(Problem::ChooseColumns { cells, wanted: wanted.in_words(), columns })
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use csv::ByteRecord;
 use super::header::has_number;
 use super::rows::cells;
 use super::start::LAST_ELEMENT;
+use super::text::Text;
 use crate::input::points::Points;
 
 /// Whether the first coordinates are all atomic numbers, beside others that are not all whole.
@@ -44,4 +45,31 @@ pub(super) fn joins_digits(cell: &str) -> bool {
     let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
     let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
     is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
+}
+
+/// The cure where the first row has one cell: another format, lines above the table, or another separator.
+pub(super) fn on_one_column(text: &Text, first: &ByteRecord) -> String {
+    let word = String::from_utf8_lossy(first.get(0).unwrap_or_default()).trim().to_ascii_lowercase();
+    let formats = [("ply", "ply"), ("solid", "stl"), ("off", "off"), ("[", "json"), ("{", "json")];
+    let is_begun = |mark: &str| word == mark || (mark.len() == 1 && word.starts_with(mark));
+    if let Some((mark, format)) = formats.into_iter().find(|(mark, _)| is_begun(mark)) {
+        return format!("it begins with `{mark}`, so it may be of the format {format}: --format {format}");
+    }
+    let wider = text.rows().filter_map(Result::ok).find(|row| row.len() > 1);
+    let is_below = |wider: &ByteRecord| text.line(wider) > text.line(first) && !has_number(wider);
+    if first.len() > 1 && !wider.as_ref().is_some_and(is_below) {
+        let cells = first.len();
+        return format!("a row has {cells} cells, of which one has a name; choose columns, as by --columns 1,{cells}");
+    }
+    match wider {
+        Some(wider) => {
+            let (line, wide) = (text.line(first), text.line(&wider));
+            let (cells, skip) = (wider.len(), wide - 1);
+            format!(
+                "line {line} has 1 cell, and line {wide} has {cells}; if the table begins there, --skip {skip} \
+                 leaves out what stands above it"
+            )
+        }
+        None => "commas, semicolons, tabs, bars and spaces separate the cells of a row".to_owned(),
+    }
 }

@@ -10,17 +10,17 @@ mod separator;
 mod start;
 mod text;
 
-use self::rows::{cells, is_called_center, parsed};
+use self::rows::{CalledCenters, cells, parsed};
 use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::advice::{available, joins_digits, may_be_atoms, may_be_halves};
-use self::counting::Counting;
+use self::advice::{available, joins_digits, may_be_atoms, may_be_halves, on_one_column};
+pub(super) use self::counting::Counting;
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_grid, is_text, opening, text_above_number};
 use self::start::{RowInDoubt, Start, Use};
-use self::text::Text;
+use self::text::{Naming, Text};
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::names::Order;
@@ -38,6 +38,8 @@ pub(super) struct Shape<'a> {
     pub(super) skip: Option<u64>,
     /// The number of coordinates that there should be.
     pub(super) wanted: Wanted,
+    /// Whether the caller has the options that say how the first row is read.
+    pub(super) has_options: bool,
     /// Whether the first three columns are coordinates where names do not say otherwise.
     pub(super) is_cloud: bool,
 }
@@ -49,6 +51,11 @@ impl Shape<'_> {
             None if self.is_cloud => Use::Cloud,
             None => Use::Table,
         }
+    }
+
+    /// A remark, with an advice where the caller has its option.
+    fn advised(&self, remark: String, advice: &str) -> String {
+        if self.has_options { format!("{remark}; {advice}") } else { remark }
     }
 }
 
@@ -65,7 +72,7 @@ pub(super) fn points(
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
     let asked: Vec<&str> = shape.columns.map(Columns::names).into_iter().flatten().collect();
-    let text = Text::new(decoded(file, content)?, shape.skip.unwrap_or(0), &asked);
+    let text = Text::new(decoded(file, content)?, shape.skip.unwrap_or(0), Naming::Points(&asked));
     let mut reading = Table::new(file, &text).points(shape, skipping)?;
     reading.left_out.extend(text.left_out());
     Ok(reading)
@@ -78,8 +85,12 @@ pub(super) struct Rows {
     pub(super) names: Vec<String>,
     /// The rows, of the same length.
     pub(super) numbers: Vec<Vec<f64>>,
-    /// The row that a column of names calls a centre.
-    pub(super) center: Option<usize>,
+    /// The line of the header, if there is one with names.
+    pub(super) header: Option<u64>,
+    /// The first rows that a column of names calls a centre, by their places, with their lines.
+    pub(super) centers: Vec<(usize, u64)>,
+    /// The first line of comment that says something of a centre, with its text.
+    pub(super) comment_on_center: Option<(u64, String)>,
     /// Remarks on the reading: rows and columns that were left out, decimal commas.
     pub(super) notes: Vec<String>,
 }
@@ -96,7 +107,7 @@ impl Rows {
 ///
 /// Columns that are named as coordinates are put in their order, and labels of rows are left out, as `order` says.
 pub(super) fn rows(file: &Path, content: &[u8], order: Order) -> Result<Rows, InputError> {
-    let text = Text::new(decoded(file, content)?, 0, &[]);
+    let text = Text::new(decoded(file, content)?, 0, Naming::Vectors);
     Table::new(file, &text).numbers(order)
 }
 
@@ -134,9 +145,9 @@ impl<'a> Table<'a> {
         let Start { first, second, count, is_numbered, nameless, nameless_in_words, left_out, in_doubt, .. } = start;
         let mut columns: Vec<usize> = (0..self.width).filter(|column| !nameless.contains(column)).collect();
         let is_header = is_numbered || opening(&first, &columns) == Opening::Header;
-        let mut names = Vec::new();
-        let mut others = Vec::new();
+        let (mut names, mut others, mut header) = (Vec::new(), Vec::new(), None);
         if is_header && !is_numbered {
+            header = Some(text.line(&first));
             let all = cells(&first);
             let named: Vec<String> = columns.iter().map(|&column| all[column].clone()).collect();
             let vectors =
@@ -147,12 +158,12 @@ impl<'a> Table<'a> {
         }
         let mut counting = Counting::new(false, is_header, &columns);
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
-        let (mut numbers, mut center) = (Vec::new(), None);
+        let (mut numbers, mut centers) = (Vec::new(), CalledCenters::default());
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
             let read: Vec<f64> = columns.iter().map(|&column| self.number(&row, column)).collect::<Result<_, _>>()?;
             counting.note(read.first().copied().unwrap_or(f64::NAN));
-            center = center.or_else(|| is_called_center(&row, &columns).then_some(numbers.len()));
+            centers.note(&row, &columns, numbers.len(), || text.line(&row));
             push_limited(&mut numbers, read).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
         self.check_count(count, numbers.len())?;
@@ -163,7 +174,8 @@ impl<'a> Table<'a> {
         notes.extend(counting.in_words(&columns, false));
         notes.extend(self.losses.in_words());
         notes.extend(self.commas()?);
-        Ok(Rows { names, numbers, center, notes })
+        let comment_on_center = text.comment_on_center().cloned();
+        Ok(Rows { names, numbers, header, centers: centers.finish(), comment_on_center, notes })
     }
 
     fn points(mut self, shape: &Shape, skipping: &mut Skipping) -> Result<Reading, InputError> {
@@ -172,7 +184,7 @@ impl<'a> Table<'a> {
         let Some(mut start) = Start::read(self.file, text, &mut records, shape.use_of())? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
-        let taken = start.taken_for_sizes.take().map(|row| format!("{row}; --no-header reads it as a point"));
+        let taken = start.taken_for_sizes.take().map(|row| shape.advised(row, "--no-header reads it as a point"));
         self.width = start.width;
         let is_named =
             shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
@@ -206,7 +218,7 @@ impl<'a> Table<'a> {
         for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
             match self.point(&row, &columns) {
-                Err(error) if skipping.passes_over(&error.problem) => {}
+                Err(error) if skipping.passes_over(&error.problem, points.len()) => {}
                 point => {
                     let (point, dimension) = (point?, columns.len());
                     counting.note(point[0]);
@@ -216,7 +228,8 @@ impl<'a> Table<'a> {
             }
         }
         self.check_count(count, points.len() + skipping.count() - skipped_before)?;
-        let read = in_doubt.map(|RowInDoubt { in_words, line }| format!("{in_words}; --skip {line} leaves it out"));
+        let read = in_doubt
+            .map(|RowInDoubt { in_words, line }| shape.advised(in_words, &format!("--skip {line} leaves it out")));
         let mut notes: Vec<String> = read.into_iter().chain(taken).collect();
         notes.extend(counting.in_words(&columns, true));
         if shape.columns.is_none() {
@@ -317,38 +330,17 @@ impl<'a> Table<'a> {
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
         }
         let problem = match cells {
-            1 => Problem::OneColumn(self.advice_on_one_column(first)),
+            1 => Problem::OneColumn(on_one_column(self.text, first)),
             _ if may_be_halves(first, self.text.separator()) => Problem::HalvesOrColumns { cells, wanted },
-            _ => Problem::ChooseColumns { cells, wanted },
+            _ => {
+                let sample = start.second.as_ref().unwrap_or(first);
+                let holds_number = |column: &usize| sample.get(*column).is_some_and(is_number);
+                let named = if has_number(first) { vec![String::new(); names.len()] } else { names };
+                let columns = names::advised(&named, all.iter().copied().filter(holds_number));
+                Problem::ChooseColumns { cells, wanted, columns }
+            }
         };
         Err(problem.at(self.file, Place::File))
-    }
-
-    /// The cure where the first row has one cell: another format, lines above the table, or another separator.
-    fn advice_on_one_column(&self, first: &ByteRecord) -> String {
-        let word = String::from_utf8_lossy(first.get(0).unwrap_or_default()).trim().to_ascii_lowercase();
-        let formats = [("ply", "ply"), ("solid", "stl"), ("off", "off"), ("[", "json"), ("{", "json")];
-        let is_begun = |mark: &str| word == mark || (mark.len() == 1 && word.starts_with(mark));
-        if let Some((mark, format)) = formats.into_iter().find(|(mark, _)| is_begun(mark)) {
-            return format!("it begins with `{mark}`, so it may be of the format {format}: --format {format}");
-        }
-        if first.len() > 1 {
-            let cells = first.len();
-            return format!(
-                "a row has {cells} cells, of which one has a name; choose columns, as by --columns 1,{cells}"
-            );
-        }
-        match self.text.rows().filter_map(Result::ok).find(|row| row.len() > 1) {
-            Some(wider) => {
-                let (line, wide) = (self.text.line(first), self.text.line(&wider));
-                let (cells, skip) = (wider.len(), wide - 1);
-                format!(
-                    "line {line} has 1 cell, and line {wide} has {cells}; if the table begins there, --skip {skip} \
-                     leaves out what stands above it"
-                )
-            }
-            None => "commas, semicolons, tabs, bars and spaces separate the cells of a row".to_owned(),
-        }
     }
 
     fn number(&mut self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {

@@ -1,6 +1,7 @@
 //! The rows of a table as the reader of CSV has them.
 
 use super::super::error::{InputError, Place, Problem};
+use super::super::names::bodies::{is_center, is_letter_beside_c, is_letter_c};
 use csv::ByteRecord;
 use std::path::Path;
 
@@ -14,11 +15,36 @@ pub(super) fn cells(row: &ByteRecord) -> Vec<String> {
     row.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect()
 }
 
-/// Whether a cell beside these columns calls the row a centre.
-pub(super) fn is_called_center(row: &ByteRecord, columns: &[usize]) -> bool {
-    let is_center = |cell: &[u8]| {
-        let cell = cell.trim_ascii();
-        cell.eq_ignore_ascii_case(b"center") || cell.eq_ignore_ascii_case(b"centre")
-    };
-    row.iter().enumerate().any(|(column, cell)| !columns.contains(&column) && is_center(cell))
+/// The rows that a cell beside their numbers calls a centre.
+#[derive(Debug, Default)]
+pub(super) struct CalledCenters {
+    /// Those by a word, and those by the letter c, each the first two, by their places with their lines.
+    by_word: Vec<(usize, u64)>,
+    by_letter: Vec<(usize, u64)>,
+    /// Whether rows are called by other letters, so that c is one of these.
+    is_lettered: bool,
+}
+
+impl CalledCenters {
+    /// Takes note of a row of which these columns are numbers.
+    pub(super) fn note(&mut self, row: &ByteRecord, columns: &[usize], place: usize, line: impl Fn() -> u64) {
+        for (_, cell) in row.iter().enumerate().filter(|(column, _)| !columns.contains(column)) {
+            let name = String::from_utf8_lossy(cell);
+            self.is_lettered |= is_letter_beside_c(&name);
+            let called = if is_letter_c(&name) { &mut self.by_letter } else { &mut self.by_word };
+            if called.len() < 2 && is_center(&name) {
+                called.push((place, line()));
+            }
+        }
+    }
+
+    /// The first rows that are called a centre, in their order: two show that there is more than one.
+    pub(super) fn finish(mut self) -> Vec<(usize, u64)> {
+        if !self.is_lettered {
+            self.by_word.append(&mut self.by_letter);
+        }
+        self.by_word.sort_unstable();
+        self.by_word.dedup();
+        self.by_word
+    }
 }

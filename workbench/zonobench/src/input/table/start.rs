@@ -214,15 +214,16 @@ impl Start {
         Ok(())
     }
 
-    /// Between other separators than spaces, a first row of two whole numbers is one of data, though the numbers may be
-    /// those of the rows behind it and of their cells.
+    /// A first row of whole numbers is one of data, though the numbers may be those of the rows behind it and of
+    /// their cells, unless it was left out as such.
     fn doubt_sizes(&mut self, text: &Text, use_of: Use) {
         let whole = |cell: &[u8]| std::str::from_utf8(cell).ok()?.trim().parse::<usize>().ok();
         let sizes: Option<Vec<usize>> = self.first.iter().map(whole).collect();
         let behind = self.rows_behind(text).count();
-        if use_of != Use::Told && self.in_doubt.is_none() && sizes == Some(vec![behind, 2]) {
-            let in_words =
-                format!("the first row ({behind}, 2) is read as data, though it may say the sizes of the table");
+        let are_those = sizes.is_some_and(|sizes| sizes == [behind, 2] || sizes == [behind, 3, 0]);
+        if use_of != Use::Told && self.in_doubt.is_none() && are_those {
+            let row = cells(&self.first).join(", ");
+            let in_words = format!("the first row ({row}) is read as data, though it may say the sizes of the table");
             self.in_doubt = Some(RowInDoubt { in_words, line: text.line(&self.first) });
         }
     }
@@ -253,9 +254,15 @@ impl Start {
     }
 }
 
+/// The number of rows above which a row that counts them is no chance.
+const CERTAIN: usize = 8;
+
+/// The number of rows of fractions from which on a row of whole numbers that counts them is no chance.
+const COUNTED: usize = 3;
+
 /// A first row of sizes in words, with the columns that hold no coordinates then: the number of rows behind it and the
-/// number of their cells, perhaps a zero, or the sizes of a file of TetGen. A row as long as the others is one only
-/// between spaces, as such rows are written.
+/// number of their cells, perhaps a zero, or the sizes of a file of TetGen. A row as long as the others, which may be the
+/// first of them, is one only between spaces, as such rows are written, and above many rows or several of fractions.
 fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let whole = |cell: &[u8]| std::str::from_utf8(cell).ok()?.trim().parse::<usize>().ok();
     let sizes: Vec<usize> = first.iter().map(whole).collect::<Option<_>>()?;
@@ -267,19 +274,22 @@ fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     if width == 0 || (width == first.len() && text.separator() != b' ') {
         return None;
     }
-    let mut count = 0;
+    let (mut count, mut are_fractions) = (0, true);
     for row in text.rows().skip(1) {
         let row = row.ok().filter(|row| row.len() == width && row.iter().all(number::is_number))?;
         let is_counted = sizes.len() < 4 || whole(&row[0]).is_some_and(|place| place == count || place == count + 1);
         count += 1;
+        are_fractions &= row.iter().all(|cell| cell.iter().any(|byte| b".,eE".contains(byte)));
         if !is_counted {
             return None;
         }
     }
+    let is_numbered = sizes.len() == 4 && count > 1;
+    let is_certain = width != first.len() || is_numbered || (count >= COUNTED && (are_fractions || count > CERTAIN));
     let in_words = format!("the first row ({}), which says the sizes of the table", cells(first).join(", "));
     let coordinates = if sizes.len() < 4 { 0..width } else { 1..1 + sizes[1] };
     let others = (0..width).filter(|column| !coordinates.contains(column)).collect();
-    (count == sizes[0]).then_some((in_words, others))
+    (count == sizes[0] && is_certain).then_some((in_words, others))
 }
 
 /// Whether the rows begin with atomic numbers, before three coordinates.

@@ -15,7 +15,7 @@ fn points(
     skip: Option<u64>,
     wanted: Wanted,
 ) -> Result<Reading, InputError> {
-    let shape = Shape { columns, skip, wanted, is_cloud: false };
+    let shape = Shape { columns, skip, wanted, has_options: true, is_cloud: false };
     super::points(file, content, &shape, &mut Skipping::default())
 }
 

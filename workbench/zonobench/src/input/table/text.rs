@@ -1,14 +1,25 @@
 //! The text of a table: which of its lines hold rows, and how a row falls into cells.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use csv::{ByteRecord, Position};
 
 use super::separator;
-use crate::input::{names, number};
+use crate::input::names::{self, bodies};
+use crate::input::number;
 
 /// The marks with which a line of comment begins.
 const COMMENTS: [&str; 3] = ["#", "%", "//"];
+
+/// The names by which a comment above the rows is known as their header.
+#[derive(Clone, Copy)]
+pub(super) enum Naming<'a> {
+    /// Those of coordinates, and those that were asked for.
+    Points(&'a [&'a str]),
+    /// Those of coordinates, of a centre and of generators.
+    Vectors,
+}
 
 /// The text of a table, with spaces in place of the lines that hold no row: comments, and the first lines that are to
 /// be skipped.
@@ -17,18 +28,22 @@ pub(super) struct Text<'a> {
     skipped: u64,
     /// Lines of comment, by what they begin with.
     comments: [u64; COMMENTS.len()],
+    /// The first line of comment that speaks of a centre, and its text.
+    comment_on_center: Option<(u64, String)>,
     /// A first line such as `sep=;`.
     directive: Option<String>,
     separator: u8,
 }
 
 impl<'a> Text<'a> {
-    /// The text without its first lines. A comment above the rows is their header where it has the names asked for.
-    pub(super) fn new(content: Cow<'a, [u8]>, skip: u64, asked: &[&str]) -> Self {
-        let mut text = Self { content, skipped: 0, comments: [0; COMMENTS.len()], directive: None, separator: b',' };
+    /// The text without its first lines. A comment above the rows is their header where it has names of this kind.
+    pub(super) fn new(content: Cow<'a, [u8]>, skip: u64, naming: Naming) -> Self {
+        let comments = [0; COMMENTS.len()];
+        let mut text =
+            Self { content, skipped: 0, comments, comment_on_center: None, directive: None, separator: b',' };
         let holds_rows = marks_rows(&text.content);
-        let mut stated = None;
-        let mut is_first = true;
+        let (mut stated, mut header) = (None, None);
+        let (mut is_first, mut number) = (true, 0);
         let mut start = 0;
         while start < text.content.len() {
             let rest = &text.content[start..];
@@ -37,6 +52,7 @@ impl<'a> Text<'a> {
             let begin = start + rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count().min(length);
             let comment = COMMENTS.iter().position(|mark| line.starts_with(mark.as_bytes()));
             let mut blank = 0;
+            number += 1;
             if text.skipped < skip {
                 text.skipped += 1;
                 blank = line.len();
@@ -46,12 +62,17 @@ impl<'a> Text<'a> {
                 blank = line.len();
             } else if is_first
                 && let Some(mark) =
-                    comment.filter(|&mark| names_columns(&line[COMMENTS[mark].len()..], &rest[length..], asked))
+                    comment.filter(|&mark| names_columns(&line[COMMENTS[mark].len()..], &rest[length..], naming))
             {
                 blank = COMMENTS[mark].len();
+                header = Some(begin + blank..begin + line.len());
             } else if comment == Some(0) && (holds_rows || begins_with_error(line)) {
             } else if let Some(mark) = comment {
                 text.comments[mark] += 1;
+                let words = String::from_utf8_lossy(line);
+                if text.comment_on_center.is_none() && bodies::speaks_of_center(&words[COMMENTS[mark].len()..]) {
+                    text.comment_on_center = Some((number, words.into_owned()));
+                }
                 blank = line.len();
             }
             is_first &= line.is_empty() || comment.is_some();
@@ -61,7 +82,36 @@ impl<'a> Text<'a> {
             start += length;
         }
         text.separator = stated.unwrap_or_else(|| separator::of(&text.content));
+        if let Some(header) = header {
+            text.separate(header);
+        }
         text
+    }
+
+    /// Separates the names of a comment as the cells of the rows are, where it separates them otherwise.
+    fn separate(&mut self, header: Range<usize>) {
+        let separator = self.separator;
+        let is_between = |byte: u8| b",;\t| ".contains(&byte);
+        let names = self.content[header.clone()].trim_ascii();
+        let begin =
+            header.start + (self.content[header.clone()].len() - self.content[header.clone()].trim_ascii_start().len());
+        if names.contains(&separator) || !names.iter().any(|&byte| is_between(byte)) {
+            return;
+        }
+        let range = begin..begin + names.len();
+        let mut was_between = false;
+        for byte in &mut self.content.to_mut()[range] {
+            let is_mark = is_between(*byte);
+            if is_mark {
+                *byte = if was_between { b' ' } else { separator };
+            }
+            was_between = is_mark;
+        }
+    }
+
+    /// The first line of comment that speaks of a centre, and its text.
+    pub(super) fn comment_on_center(&self) -> Option<&(u64, String)> {
+        self.comment_on_center.as_ref()
     }
 
     /// The separator of the cells; a space stands for any number of spaces and tabs.
@@ -109,17 +159,25 @@ fn directive(line: &[u8]) -> Option<u8> {
 }
 
 /// Whether a line of comment such as `//X,Y,Z,Intensity` or `# y x`, without its mark, names the columns of the numbers
-/// behind it: coordinates, or those that were asked for.
-fn names_columns(line: &[u8], behind: &[u8], asked: &[&str]) -> bool {
+/// behind it. In `#,x,y` the mark itself is the name of the first column, which counts the rows.
+fn names_columns(line: &[u8], behind: &[u8], naming: Naming) -> bool {
     let cells = |line: &[u8]| -> Vec<String> {
         let words = line.split(|byte| b",; \t".contains(byte)).filter(|word| !word.is_empty());
         words.map(|word| String::from_utf8_lossy(word).into_owned()).collect()
     };
-    let named = cells(line.trim_ascii());
-    let has = |asked: &&str| named.iter().any(|name| name.eq_ignore_ascii_case(asked));
-    let has_asked = !asked.is_empty() && asked.iter().all(has);
-    if !has_asked && !names::are_coordinates(&named) {
+    let mut named = cells(line.trim_ascii());
+    let is_known = match naming {
+        Naming::Points(asked) => {
+            let has = |asked: &&str| named.iter().any(|name| name.eq_ignore_ascii_case(asked));
+            (!asked.is_empty() && asked.iter().all(has)) || names::are_coordinates(&named)
+        }
+        Naming::Vectors => names::are_coordinates(&named) || bodies::are_of_bodies(&named),
+    };
+    if !is_known {
         return false;
+    }
+    if line.first().is_some_and(|byte| b",;\t".contains(byte)) {
+        named.insert(0, "#".to_owned());
     }
     let mut rows = behind.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
     let is_comment = |line: &&[u8]| COMMENTS.iter().any(|mark| line.starts_with(mark.as_bytes()));

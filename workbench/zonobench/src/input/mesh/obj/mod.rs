@@ -71,6 +71,8 @@ struct Elements {
     missing: Vec<(usize, u64, Problem)>,
     /// The number of vertices that were divided by a weight.
     weighted: usize,
+    /// The vertices with other numbers than three, a weight or a colour: how many, the count of the first, its line.
+    longer: (usize, Option<(usize, u64)>),
     faces: Vec<Box<[usize]>>,
     is_used: Vec<bool>,
     /// The largest vertex that is used, with the line that does so.
@@ -87,8 +89,14 @@ impl Elements {
     fn vertex(&mut self, line: u64, numbers: &[&[u8]]) -> Result<(), Misplaced> {
         let at = |problem, column: usize| (problem, Place::Cell { line, column: column as u64 });
         let &[x, y, z, ref rest @ ..] = numbers else {
-            return Err(at(broken("OBJ", "a vertex has three coordinates"), numbers.len() + 1));
+            let has_commas = numbers.iter().any(|number| number.contains(&b','));
+            let between = if has_commas { ", with spaces between them, not commas" } else { "" };
+            return Err(at(broken("OBJ", &format!("a vertex has three coordinates{between}")), numbers.len() + 1));
         };
+        if !matches!(rest.len(), 0 | 1 | 3) {
+            self.longer.0 += 1;
+            self.longer.1.get_or_insert((numbers.len(), line));
+        }
         let mut weight = 1.0;
         if let &[word] = rest {
             weight = number::number(word).map_err(|problem| at(problem, 4))?;
@@ -203,6 +211,13 @@ impl Elements {
         mesh.faces.iter_mut().flat_map(|face| face.iter_mut()).for_each(|corner| *corner = places[*corner]);
         let unused = count - mesh.vertices.len();
         mesh.left_out.extend(counted(unused, "vertex that nothing uses", "vertices that nothing uses"));
+        if let (vertices, Some((numbers, line))) = self.longer {
+            let begin = counted(vertices, "vertex", "vertices").unwrap_or_default();
+            mesh.left_out.push(format!(
+                "the numbers behind three coordinates of {begin} (the first has {numbers}, line {line}), which may be a \
+                 weight and a colour"
+            ));
+        }
         if let (lines, Some((word, line))) = self.unknown {
             let begin = counted(lines, "line that begins with a word", "lines that begin with words");
             let word = word.escape_debug();

@@ -3,7 +3,7 @@
 use super::*;
 
 fn told(content: &str, is_cloud: bool) -> Result<(Points, String), String> {
-    let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud };
+    let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, has_options: true, is_cloud };
     let reading = super::super::points(Path::new("m.xyz"), content.as_bytes(), &shape, &mut Skipping::default());
     reading.map(|reading| (reading.points.clone(), reading.in_words().unwrap_or_default())).map_err(|e| e.to_string())
 }

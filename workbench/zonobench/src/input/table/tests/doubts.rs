@@ -4,7 +4,7 @@
 use super::*;
 
 fn reading(content: &str, is_cloud: bool) -> Reading {
-    let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud };
+    let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, has_options: true, is_cloud };
     super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut Skipping::default()).expect(content)
 }
 
@@ -15,13 +15,12 @@ fn notes_of_vectors(content: &str) -> Vec<String> {
 #[test]
 fn a_first_row_that_may_say_the_sizes_is_read_as_data_and_told() {
     let doubt = "the first row (2, 2) is read as data, though it may say the sizes of the table";
-    for content in ["2,2\n1,0\n0,1\n", "2;2\n1;0\n0;1\n", "2\t2\n1\t0\n0\t1\n"] {
+    for content in ["2,2\n1,0\n0,1\n", "2;2\n1;0\n0;1\n", "2\t2\n1\t0\n0\t1\n", "2 2\n1 0\n0 1\n"] {
         let reading = reading(content, false);
         assert_eq!(reading.points.len(), 3, "{content}");
         assert_eq!(reading.notes, [format!("{doubt}; --skip 1 leaves it out")], "{content}");
         assert_eq!(notes_of_vectors(content), [doubt], "{content}");
     }
-    assert_eq!(reading("2 2\n1 0\n0 1\n", false).points.len(), 2, "between spaces, as such rows are written");
     assert!(reading("3,2\n1,0\n0,1\n", false).notes.is_empty());
     assert!(reading("x,y\n2,2\n1,0\n", false).notes.is_empty());
 }
@@ -57,7 +56,7 @@ fn no_advice_leaves_out_no_lines() {
         [",v\n5,1.5\n6,2.5\n", "7\n8\n", "a,,\n1,2,3\n", "north,1\n2,3\n", "1,2,north\n2,3,4\n", "0 1 2\n3 4 5\n"]
     {
         for wanted in [Wanted::Planar, Wanted::PlaneOrSpace, Wanted::Any] {
-            let shape = Shape { columns: None, skip: None, wanted, is_cloud: false };
+            let shape = Shape { columns: None, skip: None, wanted, has_options: true, is_cloud: false };
             let read = super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut Skipping::default());
             let words = match read {
                 Ok(reading) => reading.in_words().unwrap_or_default(),

@@ -85,7 +85,7 @@ fn numbers_in_place_of_names_are_left_out_or_told() {
 #[test]
 fn clouds_of_scanners_are_tables_of_x_y_z() {
     let read = |content: &str, wanted: Wanted| {
-        let shape = Shape { columns: None, skip: None, wanted, is_cloud: true };
+        let shape = Shape { columns: None, skip: None, wanted, has_options: true, is_cloud: true };
         let reading = super::super::points(Path::new("p.xyz"), content.as_bytes(), &shape, &mut Skipping::default());
         reading.map(|reading| (reading.points.clone(), reading.in_words())).map_err(|error| error.to_string())
     };
@@ -123,7 +123,7 @@ fn clouds_of_scanners_are_tables_of_x_y_z() {
 fn rows_that_are_not_finite_are_left_out_where_that_is_asked() {
     let read = |content: &str| {
         let mut skipping = Skipping::new(true);
-        let shape = Shape { columns: None, skip: None, wanted: Wanted::Planar, is_cloud: false };
+        let shape = Shape { columns: None, skip: None, wanted: Wanted::Planar, has_options: true, is_cloud: false };
         let reading = super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut skipping);
         reading.map(|reading| (reading.points.len(), skipping.count())).map_err(|error| error.to_string())
     };
@@ -150,7 +150,8 @@ fn a_comment_that_has_the_names_asked_for_is_the_header() {
     let trajectory = "# a ground truth\n# timestamp tx ty tz qx qy qz qw\n9 1 2 3 0 0 0 1\n8 4 5 6 0 0 0 1\n";
     let read = |columns: &str| {
         let columns: Columns = columns.parse().expect("columns");
-        let shape = Shape { columns: Some(&columns), skip: None, wanted: Wanted::Any, is_cloud: false };
+        let shape =
+            Shape { columns: Some(&columns), skip: None, wanted: Wanted::Any, has_options: true, is_cloud: false };
         let reading = super::super::points(Path::new("t.txt"), trajectory.as_bytes(), &shape, &mut Skipping::default());
         let rows = |reading: Reading| reading.points.rows().map(<[f64]>::to_vec).collect::<Vec<_>>();
         reading.map(rows).map_err(|error| error.to_string())

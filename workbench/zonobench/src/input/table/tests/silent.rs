@@ -4,7 +4,7 @@ use super::*;
 
 /// The points, or the complaint, with what is told.
 fn told(content: &str, is_cloud: bool, skip: Option<u64>) -> Result<(Vec<Vec<f64>>, String), String> {
-    let shape = Shape { columns: None, skip, wanted: Wanted::Any, is_cloud };
+    let shape = Shape { columns: None, skip, wanted: Wanted::Any, has_options: true, is_cloud };
     let mut skipping = Skipping::default();
     let reading = super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut skipping);
     let reading = reading.map_err(|error| error.to_string())?;
@@ -111,7 +111,7 @@ fn a_row_that_begins_with_a_mark_of_comments_is_no_comment_where_it_holds_number
         assert!(vectors(&content).expect_err(error).contains(&complaint));
     }
     let mut skipping = Skipping::new(true);
-    let shape = Shape { columns: None, skip: None, wanted: Wanted::Planar, is_cloud: false };
+    let shape = Shape { columns: None, skip: None, wanted: Wanted::Planar, has_options: true, is_cloud: false };
     let reading = super::super::points(Path::new("p.csv"), b"1,2\n#REF!,5\n", &shape, &mut skipping).expect("a point");
     assert_eq!((reading.points.len(), skipping.count()), (1, 1));
     for content in ["#1,1,2\n#2,3,4\n", "#ff0000,1,2\n#00ff00,3,4\n", "name,x,y\n#1,1,2\n"] {
@@ -134,7 +134,7 @@ fn a_row_that_begins_with_a_mark_of_comments_is_no_comment_where_it_holds_number
 #[test]
 fn a_row_of_sizes_is_left_out_where_the_rows_agree_with_it() {
     for (content, expected) in [
-        ("3 2\n1 2\n3 4\n5 6\n", vec![vec![1.0, 2.0], vec![3.0, 4.0], vec![5.0, 6.0]]),
+        ("3 2\n1.0 2.0\n3.0 4.0\n5.0 6.0\n", vec![vec![1.0, 2.0], vec![3.0, 4.0], vec![5.0, 6.0]]),
         ("2 3\n1 2 3\n3 4 5\n", vec![vec![1.0, 2.0, 3.0], vec![3.0, 4.0, 5.0]]),
         ("2 2 0\n1 2\n3 4\n", vec![vec![1.0, 2.0], vec![3.0, 4.0]]),
         ("2 3 0 0\n1 1 2 3\n2 3 4 5\n", vec![vec![1.0, 2.0, 3.0], vec![3.0, 4.0, 5.0]]),
@@ -146,15 +146,23 @@ fn a_row_of_sizes_is_left_out_where_the_rows_agree_with_it() {
     }
     // a row that is as long as a point may be one, which standard error says
     let notes = |content: &str| {
-        let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, is_cloud: false };
+        let shape = Shape { columns: None, skip: None, wanted: Wanted::Any, has_options: true, is_cloud: false };
         let reading = super::super::points(Path::new("p.csv"), content.as_bytes(), &shape, &mut Skipping::default());
         reading.expect("points").notes
     };
     let expected = "the first row (3, 2) is left out as the sizes of the table; --no-header reads it as a point";
-    assert_eq!(notes("3 2\n1 2\n3 4\n5 6\n"), [expected]);
+    assert_eq!(notes("3 2\n1.0 2.0\n3.0 4.0\n5.0 6.0\n"), [expected]);
+    assert_eq!(notes(&format!("9 2\n{}", "1 2\n".repeat(9))), [expected.replace("3, 2", "9, 2")]);
+    // of few rows of whole numbers it is the first point
+    for (content, row) in [("1 2\n3 4\n", "1, 2"), ("3 2\n1 2\n3 4\n5 6\n", "3, 2"), ("1 3 0\n4 5 6\n", "1, 3, 0")] {
+        let read = format!("the first row ({row}) is read as data, though it may say the sizes of the table");
+        assert_eq!(notes(content), [format!("{read}; --skip 1 leaves it out")], "{content}");
+        let (rows, notes) = vectors(content).expect(content);
+        assert_eq!((rows.len(), notes), (content.lines().count(), vec![read]), "{content}");
+    }
     assert_eq!(notes("2 3\n1 2 3\n3 4 5\n"), [""; 0]);
     assert_eq!(vectors("2,2\n1,0\n0,1\n").expect("generators").0.len(), 3);
-    assert_eq!(told("3 2\n1 2\n3 4\n5 6\n", false, Some(0)).expect("points").0.len(), 4);
+    assert_eq!(told("3 2\n1.0 2.0\n3.0 4.0\n5.0 6.0\n", false, Some(0)).expect("points").0.len(), 4);
     assert_eq!(told("4 2\n1 2\n3 4\n5 6\n", false, None).expect("points").0.len(), 4);
 }
 
