@@ -54,7 +54,6 @@ pub static KINDS: &[Kind] = &[
     collision::distance::KIND,
     motion::collide::KIND,
     meshes::mesh::KIND,
-    meshes::level::KIND,
     bodies::reduce::APPROX,
     bodies::reduce::REDUCE,
     bodies::hausdorff::KIND,
@@ -69,6 +68,7 @@ pub static KINDS: &[Kind] = &[
     enclosing::min_length_dirs::KIND,
     enclosing::min_length_all::KIND,
     motion::sweep::KIND,
+    meshes::level::KIND,
 ];
 
 /// An answer's content.
