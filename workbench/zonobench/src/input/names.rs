@@ -117,8 +117,8 @@ pub(super) fn is_label(name: &str) -> bool {
     LABELS.iter().any(|label| label.eq_ignore_ascii_case(name))
 }
 
-/// The columns that may hold coordinates, as `--columns` takes them: of those given by place, the ones that are no labels,
-/// by name where a shell leaves the name as it is and no other column has it, else by number.
+/// The columns that may hold coordinates, as `--columns` takes them: of those given by place, the ones that are no
+/// labels, by name where a shell leaves the name as it is and no other column has it, else by number.
 pub(super) fn advised(names: &[String], places: impl IntoIterator<Item = usize>) -> Vec<String> {
     let is_plain = |name: &String| {
         let begins = name.starts_with(|c: char| c.is_alphabetic() || c == '_');

@@ -207,8 +207,8 @@ fn columns_that_are_advised_may_hold_coordinates() {
     refused("p.csv", ",a,b,c\n0,1,2,3\n1,4,5,6\n", &[], &(advice(3) + "a,b,c or --columns a,b"));
     refused("p.csv", "id,name,a,b\n7,u,1,2\n8,v,4,5\n", &[], &(advice(4) + "a,b"));
     refused("p.csv", "id,a b,c,d\n7,1,2,3\n", &[], &(advice(4) + "2,c,d or --columns 2,c"));
-    let title = "has 1 column, and points of the plane or of space need two or three; line 1 has 1 cell, and line 2 has \
-                 2; if the table begins there, --skip 1 leaves out what stands above it";
+    let title = "has 1 column, and points of the plane or of space need two or three; line 1 has 1 cell, and line 2 \
+                 has 2; if the table begins there, --skip 1 leaves out what stands above it";
     refused("p.csv", "title\nx,y\n1,2\n", &[], title);
 }
 
@@ -216,8 +216,8 @@ fn columns_that_are_advised_may_hold_coordinates() {
 fn numbers_behind_the_vertices_of_obj_are_told() {
     for (numbers, count) in [("2 0.5 0.5 0.5", 7), ("1 2", 5), ("1 2 3 4 5 6", 9)] {
         let told = format!(
-            "left out: the numbers behind three coordinates of 1 vertex (the first has {count}, line 1), which may be a \
-             weight and a colour"
+            "left out: the numbers behind three coordinates of 1 vertex (the first has {count}, line 1), which may be \
+             a weight and a colour"
         );
         read("m.obj", format!("v 2 0 0 {numbers}\nv 0 0 0\nv 0 1 0\nv 0 0 1\n"), &[], 4, &told);
     }

@@ -160,8 +160,8 @@ impl BodySource {
         let has_center = self.layout.center_first || !bodies::centers(&rows.names).is_empty();
         let Some((line, comment)) = rows.comment_on_center.as_ref().filter(|_| !has_center) else { return Ok(()) };
         let problem = format!(
-            "the comment '{}' speaks of a centre, and comments are not read; name the columns center, g1, …, or put the \
-             centre first and say {}",
+            "the comment '{}' speaks of a centre, and comments are not read; name the columns center, g1, …, or put \
+             the centre first and say {}",
             on_one_line(&comment.chars().take(COMMENT_LIMIT).collect::<String>()),
             self.options.center_first
         );

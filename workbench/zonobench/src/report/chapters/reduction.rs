@@ -60,8 +60,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
         (error("cluster")?, error("lemma_5_5")?, error("girard")?);
     Some(format!(
         "With at most {count} generators around bodies of {}, of {kinds} kinds, fitted cluster sums come within \
-         {fitted} diameters of them, the patches of Lemma 5.5 within {patches} and Girard's rule within {girard}; that each \
-         contains the body is decided exactly.",
+         {fitted} diameters of them, the patches of Lemma 5.5 within {patches} and Girard's rule within {girard}; that \
+         each contains the body is decided exactly.",
         experiments::definitions::reduction_error::GENERATORS
     ))
 }

@@ -214,8 +214,8 @@ impl Elements {
         if let (vertices, Some((numbers, line))) = self.longer {
             let begin = counted(vertices, "vertex", "vertices").unwrap_or_default();
             mesh.left_out.push(format!(
-                "the numbers behind three coordinates of {begin} (the first has {numbers}, line {line}), which may be a \
-                 weight and a colour"
+                "the numbers behind three coordinates of {begin} (the first has {numbers}, line {line}), which may be \
+                 a weight and a colour"
             ));
         }
         if let (lines, Some((word, line))) = self.unknown {
