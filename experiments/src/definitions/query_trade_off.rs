@@ -31,13 +31,10 @@ pub const EXPERIMENT: Experiment = Experiment {
         quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16],
         full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18, 1 << 19, 1 << 20],
     },
-    instances: PerProfile::both(12),
+    instances: PerProfile { quick: 2, full: 4 },
     variants: &[Variant::at_all_sizes("by_cutting", "Cutting of the dual plane")],
     measure,
-    fits: &[
-        falling("in_trapezoid").within(Bound::of_paper(GrowthModel::Inverse, "Lemma 5.3, second step")),
-        falling("operations"),
-    ],
+    fits: &[falling("in_trapezoid").within(Bound::own(GrowthModel::Inverse)), falling("operations")],
     ..Experiment::COUNTED
 };
 
