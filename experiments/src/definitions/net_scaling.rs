@@ -15,7 +15,7 @@ const POINTS: usize = 48;
 const PAPERS_PROGRAM: &str = "papers_program";
 
 /// Row generation along the net, which is the workbench's own.
-const PAPERS_NET: &str = "papers_net";
+const ROW_GENERATION: &str = "by_row_generation";
 
 /// The reads of Theorem 4.7 in the plane, against the precision.
 pub const PLANE: Experiment = Experiment {
@@ -28,7 +28,7 @@ pub const PLANE: Experiment = Experiment {
                counts were seen. Beside it our own row generation is asked along the same net.",
     variants: &[
         Variant::at_all_sizes(PAPERS_PROGRAM, "The paper's program"),
-        Variant::at_all_sizes(PAPERS_NET, "Row generation"),
+        Variant::at_all_sizes(ROW_GENERATION, "Row generation"),
     ],
     families: &["sphere_2"],
     sizes: PerProfile::both(&[2, 4, 8, 16, 32, 64, 128]),
@@ -37,7 +37,7 @@ pub const PLANE: Experiment = Experiment {
         share("share_of_program", "Theorem 4.7 with epsilon^(-2d(d-1))"),
         reads("scan_read", PAPERS_PROGRAM),
         reads("entry_read", PAPERS_PROGRAM),
-        reads("entry_read", PAPERS_NET),
+        reads("entry_read", ROW_GENERATION),
     ],
     ..SPACE
 };
@@ -57,7 +57,7 @@ pub const SPACE: Experiment = Experiment {
     refuses: |_| None,
     sizes: PerProfile::both(&[2, 3, 4]),
     instances: PerProfile { quick: 2, full: 4 },
-    variants: &[Variant::at_all_sizes(PAPERS_NET, "Row generation")],
+    variants: &[Variant::at_all_sizes(ROW_GENERATION, "Row generation")],
     measure,
     table: Tabulated::MedianAtLargest,
     timing: None,
@@ -77,8 +77,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let family = clouds::find(case.family).ok_or_else(|| format!("no points are called {}", case.family))?;
     match (case.variant, (family.generate)(POINTS, case.instance_seed)) {
         (PAPERS_PROGRAM, Cloud::Plane(points)) => by_papers_program(case, &points),
-        (PAPERS_NET, Cloud::Plane(points)) => by_row_generation(case, &points),
-        (PAPERS_NET, Cloud::Space(points)) => by_row_generation(case, &points),
+        (ROW_GENERATION, Cloud::Plane(points)) => by_row_generation(case, &points),
+        (ROW_GENERATION, Cloud::Space(points)) => by_row_generation(case, &points),
         (variant, _) => Err(format!("{variant} is not asked along nets of so many dimensions")),
     }
 }
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn row_generation_along_the_net_reads_points_and_entries() {
-        let measured = measure(&Case::new(1, PLANE.id, "sphere_2", PAPERS_NET, 4, 0)).expect("48 points");
+        let measured = measure(&Case::new(1, PLANE.id, "sphere_2", ROW_GENERATION, 4, 0)).expect("48 points");
         assert!(measured.counts["point_read"] >= 2 * 2 * POINTS as u64, "{:?}", measured.counts);
         assert!(measured.counts["entry_read"] > 0, "{:?}", measured.counts);
     }

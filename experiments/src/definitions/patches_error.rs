@@ -18,8 +18,8 @@ pub const EXPERIMENT: Experiment = Experiment {
                k of generators that a body of many is reduced to by its patches: 3 m^2 patches and three generators \
                for what is left of them. `error` is the proven upper bound of the Hausdorff distance in terms of the \
                diameter, and `share_of_bound` its part of the eps for which our grid takes so many patches: \
-               k = 24 / eps^2 + 3. The lemma has k = c / eps^2 for a constant c that it does not name; 24 is ours, \
-               and where no error exceeds its eps, the lemma's k is enough with it. The exponent of the error \
+               k = 24 / eps^2 + 3. The lemma has k = c / eps^2 and leaves c open; 24 is ours, and where no \
+               error exceeds its eps, the lemma's k is enough with it. The exponent of the error \
                against k is measured beside it.",
     claims: &["lemma-5.5"],
     families: FAMILIES,
