@@ -34,6 +34,7 @@ mod fields;
 pub mod json;
 mod kinds;
 mod limits;
+mod meshes;
 pub mod names;
 mod nearest;
 mod pictures;

@@ -8,6 +8,9 @@ use zonotope::zonotope::Zonotope;
 
 use crate::json::{rows_to_json, vector_to_json};
 
+/// The fields that a body or a mesh may have beside its own.
+pub(crate) const PLACED: [&str; 1] = ["pose"];
+
 /// The number of coordinates of the library's own poses.
 const SPACE: usize = 3;
 

@@ -17,13 +17,11 @@ use verifier::Verdict;
 
 use super::claimed::Traced;
 use super::fields::Fields;
+use super::placement::PLACED;
 use super::refusal::Refusal;
 
 /// The fields of a zonotope.
 const BODY: [&str; 2] = ["center", "generators"];
-
-/// The fields that a zonotope may have.
-const PLACED: [&str; 1] = ["pose"];
 
 /// A kind of question.
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use zonotope::tally::{Operation, OperationCounts};
 
 use super::picture::Picture;
 use crate::json::to_json;
-use crate::kinds::meshes::{Placing, placing};
+use crate::meshes::{Placing, placing};
 use crate::nearest::did_you_mean;
 use crate::refusal::{Code, Refusal};
 

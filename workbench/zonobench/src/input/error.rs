@@ -315,7 +315,7 @@ fn choice(cells: usize, wanted: &str, columns: &[String]) -> String {
     }
 }
 
-/// So many columns by their numbers.
+/// The columns of a row of so many cells, by their numbers.
 pub(super) fn numbered(cells: usize) -> Vec<String> {
     (1..=cells).map(|number| number.to_string()).collect()
 }

@@ -38,7 +38,7 @@ mod volume;
 pub mod volumes;
 
 pub use build::{BuildOptions, Topology};
-pub use doors::meet;
+pub use doors::{BeyondDoubles, Enclosed, meet};
 pub use frame::Frame;
 pub use hierarchy::{Bvh, PlacedBvh};
 pub use mesh::{Mesh, MeshError, PlacedMesh};
@@ -49,6 +49,6 @@ pub use volume::BoundingVolume;
 pub use volumes::aabb::Aabb;
 pub use volumes::discrete_polytope::{Dop18, Dop26};
 pub use volumes::oriented_box::OrientedBox;
-pub use volumes::shape::{BeyondDoubles, Enclosed, Shaped};
+pub use volumes::shape::Shaped;
 pub use volumes::sphere::Sphere;
 pub use volumes::zonotope::{Zonotope3, Zonotope4, Zonotope5, Zonotope6, Zonotope7, Zonotope8};

@@ -4,11 +4,12 @@ use serde_json::{Value, json};
 use verifier::{ClaimedNode, Verdict, check_mesh_level};
 use zonotope::bvh::{Enclosed, Method};
 
-use super::mesh::{MESH, Read, check_size, mesh};
+use super::mesh::Read;
 use crate::claimed::{Traced, float, index, indices, member, vector, vectors};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::kinds::{Kind, Solution};
+use crate::meshes::{MESH, check_size, mesh};
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {

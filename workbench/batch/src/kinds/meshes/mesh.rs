@@ -2,13 +2,13 @@
 
 use serde_json::{Value, json};
 use verifier::{Body, MeshAnswer, Surface, Verdict, check_meshes};
-use zonotope::Pose;
-use zonotope::bvh::{Encounter, Mesh, MeshDistance, MeshError, Method};
+use zonotope::bvh::{Encounter, MeshDistance, Method};
 
 use crate::claimed::{Traced, boolean, float, indices, member, pose, vectors};
 use crate::fields::Fields;
 use crate::json::to_json;
-use crate::kinds::{Kind, PLACED, Solution};
+use crate::kinds::{Kind, Solution};
+use crate::meshes::{Placing, SPACE, placing};
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {
@@ -21,17 +21,8 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     check,
 };
 
-/// The fields of a mesh.
-pub(in crate::kinds) const MESH: [&str; 2] = ["vertices", "triangles"];
-
-/// The most triangles of all meshes of a question.
-const TRIANGLE_LIMIT: usize = 1_000_000;
-
 /// The most pairs of triangles that are listed.
 const PAIR_LIMIT: usize = 1_000_000;
-
-/// The number of coordinates.
-const SPACE: usize = 3;
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
@@ -51,48 +42,6 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         }
     };
     Ok(Solution { method: method.id(), result })
-}
-
-/// The two meshes of a question, and where they stand.
-pub(crate) struct Placing {
-    pub(crate) meshes: [Mesh; 2],
-    pub(crate) poses: [Pose; 2],
-}
-
-/// The meshes `a` and `b` of a question with their poses.
-pub(crate) fn placing(fields: &Fields<'_>) -> Result<Placing, Refusal> {
-    let read = ["a", "b"].map(|name| fields.object(name, &MESH, &PLACED));
-    let [of_a, of_b] = read;
-    let [of_a, of_b] = [of_a?, of_b?];
-    let meshes = [mesh(&of_a, "a")?, mesh(&of_b, "b")?];
-    let poses = [of_a.placement(SPACE)?, of_b.placement(SPACE)?].map(|placement| placement.of_space(1.0));
-    check_size(&meshes)?;
-    Ok(Placing { meshes, poses })
-}
-
-/// Refuses meshes of too many triangles.
-pub(in crate::kinds) fn check_size<'a>(meshes: impl IntoIterator<Item = &'a Mesh>) -> Result<(), Refusal> {
-    let triangles: usize = meshes.into_iter().map(|mesh| mesh.triangles().len()).sum();
-    if triangles <= TRIANGLE_LIMIT {
-        return Ok(());
-    }
-    let message = format!("{triangles} triangles, at most {TRIANGLE_LIMIT} of all meshes are taken");
-    Err(Refusal::new(Code::TooLarge, message))
-}
-
-/// The mesh of an object with vertices and triangles, before its pose.
-pub(in crate::kinds) fn mesh(fields: &Fields<'_>, name: &str) -> Result<Mesh, Refusal> {
-    let (vertices, triangles) = (fields.vectors::<SPACE>("vertices")?, fields.triples("triangles")?);
-    Mesh::new(vertices, triangles).map_err(|error| match error {
-        MeshError::Empty => Refusal::new(Code::Empty, format!("{name} has no triangles")),
-        MeshError::NoSuchVertex { triangle, corner, vertex, vertices } => Refusal::bad_input(format!(
-            "{}, corner {} is {vertex}: there are {vertices} vertices, counted from 0",
-            fields.place_of("triangles").element(triangle),
-            corner + 1
-        )),
-        MeshError::TooLarge { .. } => Refusal::new(Code::TooLarge, format!("{name}: {error}")),
-        other => Refusal::new(Code::NonFinite, format!("{name}: {other}")),
-    })
 }
 
 fn of_pairs(pairs: &[[usize; 2]]) -> Value {

@@ -2,5 +2,3 @@
 
 pub(in crate::kinds) mod level;
 pub(in crate::kinds) mod mesh;
-
-pub(crate) use mesh::{Placing, placing};

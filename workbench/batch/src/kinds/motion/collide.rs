@@ -12,8 +12,8 @@ use super::{claimed_contact, claimed_mesh_contact, of_meshes};
 use crate::claimed::{Traced, member};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
-use crate::kinds::meshes::mesh::MESH;
 use crate::kinds::{BODY, Kind, PLACED, Solution};
+use crate::meshes::MESH;
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {

@@ -9,8 +9,8 @@ use super::stated::{motion, resolution};
 use super::written::interval;
 use crate::fields::{Fields, SPACE, image_not_held};
 use crate::json::vector_to_json;
-use crate::kinds::meshes::mesh::{MESH, check_size, mesh};
 use crate::kinds::{PLACED, Solution};
+use crate::meshes::{MESH, check_size, mesh};
 use crate::placement::{Placement, doubles};
 use crate::refusal::{Code, Refusal};
 

@@ -262,7 +262,8 @@ const COUNTED: usize = 3;
 
 /// A first row of sizes in words, with the columns that hold no coordinates then: the number of rows behind it and the
 /// number of their cells, perhaps a zero, or the sizes of a file of TetGen. A row as long as the others, which may be
-/// the first of them, is one only between spaces, as such rows are written, and above many rows or several of fractions.
+/// the first of them, is one only between spaces, as such rows are written, and above many rows or several of
+/// fractions.
 fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let whole = |cell: &[u8]| std::str::from_utf8(cell).ok()?.trim().parse::<usize>().ok();
     let sizes: Vec<usize> = first.iter().map(whole).collect::<Option<_>>()?;

@@ -10,6 +10,7 @@ use std::array;
 use super::exact_difference::ExactDifference;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::root::Root;
+use crate::numeric::linear::sum_of_products;
 
 /// The steps from one start.
 const STEPS: usize = 8;
@@ -25,11 +26,11 @@ pub(super) fn climbed<const D: usize>(
     for _ in 0..STEPS {
         let u = direction.map(Dyadic::from_f64);
         let gap = gap(exact, side, &u);
-        let value = product(&gap, &u);
+        let value = sum_of_products(&gap, &u);
         if value.sign().is_le() {
             break;
         }
-        let square = (&value * &value).to_rational() / product(&u, &u).to_rational();
+        let square = (&value * &value).to_rational() / sum_of_products(&u, &u).to_rational();
         let below = Root::of(&square, 0).below;
         if best.is_some_and(|(most, _)| below <= most) {
             break;
@@ -41,10 +42,6 @@ pub(super) fn climbed<const D: usize>(
     best
 }
 
-fn product<const D: usize>(a: &[Dyadic; D], b: &[Dyadic; D]) -> Dyadic {
-    a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| &sum + &(a * b))
-}
-
 /// From the extreme point of the nearer body along u to that of the farther one, from whose centre the displacement
 /// leads away along u.
 fn gap<const D: usize>(exact: &ExactDifference<D>, side: usize, u: &[Dyadic; D]) -> [Dyadic; D] {
@@ -52,7 +49,7 @@ fn gap<const D: usize>(exact: &ExactDifference<D>, side: usize, u: &[Dyadic; D])
     let nearer = exact.generators[1 - side].iter().map(|g| (g, false));
     let mut gap: [Dyadic; D] = array::from_fn(|_| Dyadic::zero());
     for (g, is_farther) in farther.chain(nearer) {
-        let is_added = product(g, u).sign().is_ge() == is_farther;
+        let is_added = sum_of_products(g, u).sign().is_ge() == is_farther;
         gap = array::from_fn(|k| if is_added { &gap[k] + &g[k] } else { &gap[k] - &g[k] });
     }
     gap

@@ -58,8 +58,7 @@ use std::collections::BinaryHeap;
 use super::answer::Distance;
 use super::ascent::climbed;
 use super::cone::Cone;
-use super::convex_bound::convex_bound;
-use super::difference::{Difference, Rounding, ScaledBodies};
+use super::difference::{Difference, Rounding, ScaledBodies, convex_bound};
 use super::exact_difference::ExactDifference;
 use crate::zonotope::Zonotope;
 

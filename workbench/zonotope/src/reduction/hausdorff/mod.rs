@@ -24,7 +24,6 @@ pub mod brute_force;
 pub mod by_branch_and_bound;
 pub mod by_vertices;
 mod cone;
-mod convex_bound;
 mod difference;
 mod doors;
 mod exact_difference;
