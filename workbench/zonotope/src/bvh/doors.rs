@@ -1,5 +1,5 @@
-//! The questions about two hierarchies: whether they meet, where, and how far apart they are; and the volumes of a level
-//! of one in the coordinates of its mesh.
+//! The questions about two hierarchies: whether they meet, where, and how far apart they are; and the volumes of a
+//! level of one in the coordinates of its mesh.
 
 use std::ops::ControlFlow;
 

@@ -99,8 +99,8 @@ impl<const D: usize> Difference<D> {
     }
 }
 
-/// The generators of a convex function that is nowhere less than the difference for one side, as a body without another:
-/// a bound from above that tells bodies which are nearly equal.
+/// The generators of a convex function that is nowhere less than the difference for one side, as a body without
+/// another: a bound from above that tells bodies which are nearly equal.
 ///
 /// For a generator b of the farther body and the nearer generators v that are given to it, |u · b| is at most the sum
 /// of |u · r| and all |u · v|, with r = b − Σ ± v, so the difference is at most Σ |u · r|. Every nearer generator goes
