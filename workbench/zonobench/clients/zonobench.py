@@ -8,6 +8,7 @@ back into use once the answer to this very question has been read. Whatever come
 or an answer to another question, the process is ended, and the next question begins another one.
 """
 
+import contextlib
 import json
 import math
 import numbers
@@ -124,7 +125,9 @@ class Process:
             pass
         finally:
             self.popen.kill()
-            self.popen.wait()
+            # An interrupt inside a wait can leave the lock of `subprocess` taken; an endless wait would never end then.
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.popen.wait(timeout=10)
             self.release()
 
     def release(self):
