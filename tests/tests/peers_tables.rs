@@ -9,10 +9,7 @@ const END: &str = "<!-- peers: end -->\n";
 #[test]
 fn tables_of_the_readme_are_those_of_the_record() {
     let record = peers::committed().expect("the committed record reads as one");
-    // Near contact and wrong answers; the report has the others as well.
-    let chosen: Vec<Table> =
-        peers::tables(&record).into_iter().enumerate().filter(|(i, _)| [0, 2].contains(i)).map(|(_, t)| t).collect();
-    let made = chosen.iter().map(Table::markdown).collect::<Vec<_>>().join("\n");
+    let made = peers::tables_of_readme(&record).iter().map(Table::markdown).collect::<Vec<_>>().join("\n");
     let file = root().join("README.md");
     let readme = std::fs::read_to_string(&file).expect("there is a README");
     let (before, rest) = readme.split_once(BEGIN).expect("README marks where the tables begin");
@@ -30,5 +27,26 @@ fn the_record_names_what_exists() {
     for cell in &record.cells {
         assert!(families::bodies::find(&cell.family).is_some(), "{}", cell.family);
         assert!(cell.entries.iter().all(|entry| entry.wrong + entry.failed <= entry.asked), "{cell:?}");
+    }
+}
+
+/// README's sentence: near contact and on clear questions the kernel is the quicker one of random bodies at every size,
+/// and where bodies touch it is the slower one at every size.
+#[test]
+fn the_kernel_leads_where_the_readme_says_so() {
+    let record = peers::committed().expect("the committed record reads as one");
+    let [_, lead, _] = peers::tables_of_readme(&record);
+    let medians = |row: &[String]| -> Vec<f64> {
+        let known = row[1..].iter().filter_map(|cell| cell.split(' ').next()?.parse().ok());
+        known.collect()
+    };
+    for row in &lead.rows[..3] {
+        assert!(medians(row).iter().all(|&ratio| ratio > 1.0), "{row:?}");
+    }
+    assert!(lead.rows[3][0].contains("touching"));
+    assert!(medians(&lead.rows[3]).iter().all(|&ratio| ratio < 1.0), "{:?}", lead.rows[3]);
+    for row in &lead.rows[8..] {
+        assert!(row[0].contains("single precision"));
+        assert!(medians(row).last().is_some_and(|&ratio| ratio < 1.0), "{row:?}");
     }
 }

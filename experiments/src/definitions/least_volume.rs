@@ -39,7 +39,8 @@ pub const EXPERIMENT: Experiment = Experiment {
                random starts? `volume_ratio` is its volume over that of the hull, a lower bound of every volume, \
                `generators` their number in it, `near` the share of starts whose volume exceeds it by 1 % or less, \
                `worst` the largest local optimum over it, and `by_length` the volume of a short zonotope of as many \
-               generators over it. That no zonotope is smaller is not proven.",
+               generators over it. Each K has starts of its own, so that a search with more generators can end in a \
+               larger volume; that no zonotope is smaller is not proven.",
     claims: &["question-optimal-volume", "question-generator-count", "question-approximation-quality"],
     real_inputs: &INPUTS,
     families: &["sphere_3"],

@@ -20,7 +20,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Least total length along the paper's net: growth with the number of points",
     question: "How many points does Theorem 4.7 read, against their number? The paper's program is solved along the \
                paper's net of the plane for epsilon = 3/32, which has 46 directions. `scan_read` counts what the \
-               paper's scan reads, and `point_read` what our own proof of containment reads.",
+               paper's scan reads, each point once for each normal, and `point_read` what our own proof of containment \
+               reads.",
     claims: &["theorem-4.7"],
     families: FAMILIES,
     sizes: super::LINEAR_SIZES,

@@ -20,7 +20,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Along given directions: growth with the number of points",
     question: "How often are the points read, against their number? There are 10 directions in space; `passes` are \
                the readings of all points, `scan_read` the points read by a scan along all normals, as Theorem 4.6 \
-               makes it for two of the forms, and `point_read` all others.",
+               makes it for two of the forms (once for each normal, so that the count tells how many are scanned), and \
+               `point_read` all others.",
     claims: &["theorem-4.6"],
     families: FAMILIES,
     sizes: SIZES,

@@ -8,4 +8,4 @@ mod record;
 mod tables;
 
 pub use record::{Cell, Entry, LineFit, PeersRecord, committed, median};
-pub use tables::{Table, tables};
+pub use tables::{Table, tables, tables_of_readme};

@@ -104,7 +104,7 @@ impl Judging<'_> {
         match verdict {
             Verdict::Right(words) if is_right => {
                 counts.harmless += 1;
-                debug_assert!(!words.is_empty());
+                assert!(!words.is_empty());
             }
             Verdict::Right(words) => counts.faults.push(format!("{words}: {mutant} to {question} like {answer}")),
             Verdict::Unchecked(reason) if reason.starts_with("internal error") => {

@@ -239,7 +239,7 @@ fn is_interior(question: &Displaced, coefficients: &Coefficients) -> bool {
     match common_direction(axes.len(), &seen) {
         Some(coordinates) => {
             let u = combined(&axes, &coordinates);
-            debug_assert_eq!(dot(&u, &question.p), question.support(&u), "the direction supports Z in p");
+            assert_eq!(dot(&u, &question.p), question.support(&u), "the direction supports Z in p");
             false
         }
         None => true,

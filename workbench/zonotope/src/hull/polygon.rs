@@ -27,7 +27,7 @@ impl VertexIndex {
     /// The index of the vertex at `position`, which is at most [`MAX_POINTS`](super::MAX_POINTS).
     #[inline]
     pub fn new(position: usize) -> Self {
-        debug_assert!(position <= super::MAX_POINTS, "vertex {position} cannot be indexed");
+        assert!(position <= super::MAX_POINTS, "vertex {position} cannot be indexed");
         VertexIndex(position as u32)
     }
 
@@ -52,7 +52,7 @@ pub struct ConvexHull {
 impl ConvexHull {
     /// Callers have established the invariants of the fields.
     pub(super) fn from_parts(vertices: Vec<[f64; 2]>, indices: Vec<PointIndex>) -> Self {
-        debug_assert!(!vertices.is_empty() && vertices.len() == indices.len());
+        assert!(!vertices.is_empty() && vertices.len() == indices.len());
         ConvexHull { vertices, indices }
     }
 

@@ -36,7 +36,7 @@ impl Default for ExactSum {
 impl ExactSum {
     /// Adds a finite double, exactly.
     pub fn add(&mut self, value: f64) {
-        debug_assert!(value.is_finite(), "only finite doubles are numbers");
+        assert!(value.is_finite(), "only finite doubles are numbers");
         let (mantissa, exponent) = decompose(value);
         let position = (exponent - LOWEST_EXPONENT) as usize;
         let first = position / 32;

@@ -174,7 +174,7 @@ impl Sweep {
     fn pass(&mut self, crossing: Crossing, steps: &[&Upward]) {
         let above = crossing.steps.map(|step| self.position[step]).into_iter().min().expect("two lines cross");
         let [first, second] = [self.order[above], self.order[above + 1]];
-        debug_assert!(crossing.steps.contains(&first) && crossing.steps.contains(&second), "neighbours cross");
+        assert!(crossing.steps.contains(&first) && crossing.steps.contains(&second), "neighbours cross");
         let index = TileIndex(self.tiling.tiles.len() as u32);
         let [top, left, bottom] = [0, 1, 2].map(|below| self.corners[above + below]);
         let [upper_left, lower_left] = [self.edges[above], self.edges[above + 1]];

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 
 use robust::{Coord3D, orient3d};
 
+use super::carried_exponents;
 use crate::numeric::exact_linear::{cross, difference, dot, exact};
 use crate::numeric::linear::sum_norm;
 use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
@@ -156,8 +157,9 @@ fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ord
             sign_of(orient3d(a, b, c, Coord3D { x: 0.0, y: 0.0, z: 0.0 }))
         }
         Precision::Wide => {
-            let [a, b, c] = [a, b, c].map(|v| exact(v.original));
-            dot(&a, &cross(&b, &c)).sign()
+            let [a, b, c] = [a, b, c].map(|v| v.original);
+            let in_doubles = carried_exponents::determinant_sign(&a, &b, &c);
+            in_doubles.unwrap_or_else(|| dot(&exact(a), &cross(&exact(b), &exact(c))).sign())
         }
     }
 }

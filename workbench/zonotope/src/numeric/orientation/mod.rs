@@ -70,6 +70,7 @@ use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
 
+mod carried_exponents;
 pub(crate) mod in_space;
 
 /// The sense of a turn in the plane, x to the right and y upwards.

@@ -51,7 +51,7 @@ impl Program {
 
     /// An optimal x; `None` where there is none or rounding hides it.
     pub(super) fn minimize(mut self, costs: &[f64]) -> Option<Vec<f64>> {
-        debug_assert_eq!((self.unknowns, self.inequalities), (costs.len(), self.gains.len()));
+        assert_eq!((self.unknowns, self.inequalities), (costs.len(), self.gains.len()));
         dispatch!(level_for_few(), simd => self.run(simd, costs))
     }
 

@@ -47,7 +47,7 @@ impl ExactSums {
                     None => (0..face.leaves()).map(leaf).collect(),
                     Some(below) => below.chunks(CHILDREN).map(|own| total(own.iter().copied())).collect(),
                 };
-                debug_assert!(blocks.len() == Vec::len(&sums).div_ceil(CHILDREN), "a sum for each node");
+                assert!(blocks.len() == Vec::len(&sums).div_ceil(CHILDREN), "a sum for each node");
                 levels.push(sums);
             }
             levels

@@ -28,7 +28,7 @@ impl Basis {
         let [a, b, c] = [&vectors[0], &vectors[1], &vectors[2]];
         let dual = cyclic_cross_products(a, b, c);
         let determinant = dot(a, &dual[0]);
-        debug_assert!(!determinant.is_zero(), "the members are independent");
+        assert!(!determinant.is_zero(), "the members are independent");
         if determinant.sign().is_lt() {
             return Self { generators, dual: dual.map(|d| d.map(|v| -v)), determinant: -determinant };
         }

@@ -55,14 +55,14 @@ impl Vertex {
 
     /// The point with the given homogeneous coordinates.
     pub(crate) fn at(exact: [Dyadic; 3]) -> Self {
-        debug_assert!(exact[2].sign() == Ordering::Greater, "a point has a positive last coordinate");
+        assert!(exact[2].sign() == Ordering::Greater, "a point has a positive last coordinate");
         let point = [exact[0].ratio(&exact[2]), exact[1].ratio(&exact[2])];
         Self { exact: OnceCell::from(exact), place: None, ..Self::of(point, Source::Given) }
     }
 
     /// The point of pairs of doubles that are exact.
     pub(crate) fn at_pairs(place: [BoundedDoubleDouble; 2]) -> Self {
-        debug_assert!(place.iter().all(|coordinate| coordinate.parts().1 == 0.0), "the pairs are exact");
+        assert!(place.iter().all(|coordinate| coordinate.parts().1 == 0.0), "the pairs are exact");
         Self::near(place, Source::Pairs)
     }
 
