@@ -4,7 +4,7 @@
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
-//!   whole or not at all.
+//!   whole or not at all, [`standard_output`] is the other place of results.
 //! - [`report`] lays out what `reproduce` found.
 //! - `digest` names files by their SHA-256.
 //! - [`enclosure`] is the answer of least area, with its exact check.
@@ -24,6 +24,7 @@ pub mod lines;
 pub mod output;
 pub mod progress;
 pub mod report;
+pub mod standard_output;
 
 use std::ffi::OsString;
 use std::io;
@@ -34,6 +35,7 @@ use clap::{CommandFactory, FromArgMatches};
 
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
+use standard_output::{check_standard_output, named};
 
 /// The status of a program whose reader went away before the end, as shells tell it of one that SIGPIPE ended.
 const READER_GONE: u8 = 141;
@@ -45,21 +47,29 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => cli,
         Err(message) => {
             let message = without_vain_tip(nearest_first(message));
-            let wrong = message.use_stderr();
-            // A reader that has gone away needs no message.
-            let _ = message.print();
-            return ExitCode::from(if wrong { 2 } else { 0 });
+            if message.use_stderr() {
+                // A reader that has gone away needs no message.
+                let _ = message.print();
+                return ExitCode::from(2);
+            }
+            let printed = check_standard_output().and_then(|()| message.print().map_err(named));
+            return printed.map_or_else(|error| failure(&error.into()), |()| ExitCode::SUCCESS);
         }
     };
     match dispatch(&cli) {
         Ok(Ending::Good) => ExitCode::SUCCESS,
         Ok(Ending::Bad) => ExitCode::FAILURE,
-        Err(error) if is_broken_pipe(&error) => ExitCode::from(READER_GONE),
-        Err(error) => {
-            commands::tell(&told_once(&error));
-            if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
-        }
+        Err(error) => failure(&error),
     }
+}
+
+/// Tells why a command failed, unless its reader went away and needs no message; gives the status.
+fn failure(error: &anyhow::Error) -> ExitCode {
+    if is_broken_pipe(error) {
+        return ExitCode::from(READER_GONE);
+    }
+    commands::tell(&told_once(error));
+    if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
 }
 
 fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {

@@ -5,7 +5,6 @@ mod counts;
 mod times;
 
 use std::fmt::Write as _;
-use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -14,6 +13,7 @@ use self::counts::Comparison;
 use super::Ending;
 use super::records::{Run, RunRecords};
 use super::table::{Table, counted};
+use crate::standard_output::StandardOutput;
 
 /// Options of `compare`.
 #[derive(Debug, Args)]
@@ -31,7 +31,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let comparison = Comparison::of(&first.counts, &second.counts);
     let mut text = summary(options, [first.run.as_ref(), second.run.as_ref()], &comparison);
     text.push_str(&times::text(&first.times, &second.times));
-    io::stdout().lock().write_all(text.as_bytes())?;
+    StandardOutput::print(text.as_bytes())?;
     let is_same = comparison.differences.is_empty() && comparison.reseeded == 0;
     Ok(if is_same && comparison.common > 0 { Ending::Good } else { Ending::Bad })
 }

@@ -31,8 +31,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         _ if shows_body(options) => of_body(options, &name)?,
         _ => (of_points(options, &name)?, String::new()),
     };
-    outputs.write(&options.svg, svg.as_bytes())?;
-    outputs.tell(&format!("{} of {name} in {}\n{more}", options.what, options.svg.display()))?;
+    let told = format!("{} of {name} in {}\n{more}", options.what, options.svg.display());
+    outputs.finish_one(&options.svg, svg.as_bytes(), &told)?;
     Ok(Ending::Good)
 }
 
