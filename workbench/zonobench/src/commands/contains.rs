@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Ending;
-use super::asked::{About, Asked, body_formats, floats, how_to_verify, record};
+use super::asked::{About, Asked, body_formats, check_taken, floats, how_to_verify, record};
 use super::asking::PointOptions;
 use super::placing::{Placing, describe};
 use super::table::{Table, in_full, with_six_digits};
 use super::usage::question_name;
 use super::usage::{check_inputs, check_names, read_telling};
-use crate::input::{Format, OptionNames, Placed, Reading, Wanted};
+use crate::input::{COORDINATE_LIMIT, Format, OptionNames, Placed, Reading, Wanted};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
@@ -54,6 +54,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let file = options.placing.read(&options.body, options.body_format, OptionNames::BESIDE_POINTS)?;
+    check_taken(&options.body, &file.placed, 1..=COORDINATE_LIMIT)?;
     let reading = read_telling(&source, Wanted::Any)?;
     reading.check_dimension(&options.points, file.placed.dimension())?;
 

@@ -12,7 +12,7 @@ use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
 use crate::input::{Format, OptionNames, Placed};
 use crate::output::{Existing, Outputs, Results};
-use batch::Verdict;
+use batch::{MAX_DIMENSION, Verdict};
 
 /// Options of `hausdorff`.
 #[derive(Debug, Args)]
@@ -58,7 +58,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ];
     let request = record(About::Hausdorff, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=MAX_DIMENSION)?;
     let rounded = [bodies[0].rounded(names[0])?, bodies[1].rounded(names[1])?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = rounded.each_ref().map(|rounded| zonotope_of(&rounded.body));

@@ -108,6 +108,12 @@ pub enum Problem {
         /// The option that names the format of the file.
         option: &'static str,
     },
+    /// Triangles are wanted, and the format has none.
+    #[error("the format {0} holds no triangles; {MESHES}")]
+    NoTriangles(String),
+    /// Triangles are wanted, and the mesh has none.
+    #[error("holds vertices and no faces; {MESHES}; `zonobench enclose` makes a body around points")]
+    NoFaces,
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
@@ -320,6 +326,9 @@ pub(super) fn numbered(cells: usize) -> Vec<String> {
     (1..=cells).map(|number| number.to_string()).collect()
 }
 
+/// The formats that hold triangles, in words.
+const MESHES: &str = "a mesh is an OBJ, PLY, STL or OFF file with faces";
+
 /// The names of the formats, as messages list them.
 const FORMATS: &str = "csv, xyz, geojson, json, npy, obj, ply, stl or off";
 
@@ -333,6 +342,11 @@ impl Problem {
     /// Whether a number is missing, not finite, or beyond the range of doubles, so that its point may be left out.
     pub(super) fn is_missing(&self) -> bool {
         matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell | Self::NoField(_))
+    }
+
+    /// Whether the file cannot be read, or has another format than it is read in.
+    pub fn is_of_file(&self) -> bool {
+        matches!(self, Self::Unreadable(_) | Self::Folder | Self::ForeignContent(_) | Self::OtherFormat { .. })
     }
 
     /// The complaint about `file` at `place`.

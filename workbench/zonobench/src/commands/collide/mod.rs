@@ -42,7 +42,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ];
     let mut request = record(About::Collide, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 3..=3)?;
     let motion = options.step.motion()?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let rounded = [bodies[0].rounded(names[0])?, bodies[1].rounded(names[1])?];

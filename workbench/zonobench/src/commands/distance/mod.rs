@@ -38,7 +38,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ];
     let request = record(About::Distance, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=3)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = bodies.each_ref().map(Placed::question);
     let asked = Asked::of(About::Distance.question(&name, &questions, None, None))?;

@@ -14,6 +14,7 @@ use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
 use crate::input::OptionNames;
 use crate::output::{Existing, Outputs, Results};
+use batch::MAX_DIMENSION;
 use batch::Verdict;
 
 /// Reads, solves, checks, and prints the answer with its proof.
@@ -36,7 +37,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ];
     let request = record(About::Intersect, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=MAX_DIMENSION)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let meeting = Meeting::of(&name, names, bodies)?;
     let verdict = meeting.asked.verdict();
