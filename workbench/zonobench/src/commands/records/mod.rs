@@ -12,7 +12,7 @@ use super::usage::check_names;
 use crate::output::{Existing, Outputs};
 
 pub use self::reading::RecordsError;
-pub(super) use self::reading::{Run, RunRecords};
+pub(super) use self::reading::RunRecords;
 
 /// Options of `records`.
 #[derive(Debug, Args)]
