@@ -15,6 +15,7 @@
 //! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for
 //! a failure, 2 for a command line that makes no sense and 141 where the reader of standard output went away.
 
+mod absent;
 pub mod cli;
 pub mod commands;
 mod digest;
@@ -30,7 +31,7 @@ use std::ffi::OsString;
 use std::io;
 use std::process::ExitCode;
 
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
 
 use cli::{Cli, Command};
@@ -42,11 +43,13 @@ const READER_GONE: u8 = 141;
 
 /// Runs the program with the given command line, its name included.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let command = arguments.get(1).map(|word| word.to_string_lossy().into_owned()).unwrap_or_default();
     let parsed = with_negative_numbers(Cli::command()).try_get_matches_from(arguments);
     let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(message) => {
-            let message = without_vain_tip(nearest_first(message));
+            let message = with_reason(without_vain_tip(nearest_first(message)), &command);
             if message.use_stderr() {
                 // A reader that has gone away needs no message.
                 let _ = message.print();
@@ -117,6 +120,21 @@ fn without_vain_tip(mut message: clap::Error) -> clap::Error {
     if matches!(message.get(ContextKind::InvalidArg), Some(ContextValue::String(word)) if is_number(word)) {
         let tip = "an equals sign stands before a value that begins with a minus, as in '--option=-1'";
         message.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.to_owned().into()]));
+    }
+    message
+}
+
+/// A complaint about an option of reading that the command does not have, with the reason.
+fn with_reason(mut message: clap::Error, command: &str) -> clap::Error {
+    let reason = match message.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(option)) if message.kind() == ErrorKind::UnknownArgument => {
+            absent::reason(command, option.split('=').next().unwrap_or_default())
+        }
+        _ => None,
+    };
+    if let Some(reason) = reason {
+        message.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![reason.to_owned().into()]));
+        message.remove(ContextKind::SuggestedArg);
     }
     message
 }

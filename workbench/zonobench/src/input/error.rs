@@ -194,12 +194,14 @@ pub enum Problem {
     #[error("has the columns x, y and z, so its points are in space; choose two columns with --columns")]
     ThirdCoordinate,
     /// A text stands beside numbers and above one, in a column that is read.
-    #[error("'{text}' is not a number, but below it is one; if this line is a header, --skip {skip} leaves it out")]
+    #[error("'{text}' is not a number, but below it is one; if this line is a header, {option} {skip} leaves it out")]
     TextAboveNumber {
         /// The text.
         text: String,
         /// The lines to skip: this one and those above it.
         skip: u64,
+        /// The option that leaves lines out.
+        option: &'static str,
     },
     /// The first row may be a header or data: the chosen cells are numbers, another one is text above a number.
     #[error(
@@ -370,7 +372,7 @@ impl Problem {
             Self::TextAmongNumbers { text, cells, wanted } => {
                 Self::TextAmongNumbers { text: tidy(text), cells, wanted }
             }
-            Self::TextAboveNumber { text, skip } => Self::TextAboveNumber { text: tidy(text), skip },
+            Self::TextAboveNumber { text, skip, option } => Self::TextAboveNumber { text: tidy(text), skip, option },
             Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),

@@ -34,7 +34,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
+    let file = options.placing.read(&options.file, options.format, options.start.told(), OptionNames::OF_FIRST)?;
     let request = record(About::Inspect, &[&file], None, None);
     let placed = file.placed;
     check_taken(&options.file, &placed, 1..=MAX_DIMENSION)?;

@@ -24,7 +24,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_names(&options.meshes.named())?;
     let outputs = options.json.iter().chain(&options.question).chain(options.meshes.files());
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
+    let file = options.placing.read(&options.file, options.format, options.start.told(), OptionNames::OF_FIRST)?;
     let mut request = record(About::Sweep, &[&file], None, None);
     let placed = file.placed;
     check_taken(&options.file, &placed, 3..=3)?;
