@@ -120,7 +120,7 @@ impl<'a> OfExperiment<'a> {
         Self { id, compared, differing: differences.len(), more_and_fewer, largest, first }
     }
 
-    /// How far the largest ratio is from 1.
+    /// The distance of the largest ratio from 1, as a factor's logarithm.
     fn spread(&self) -> f64 {
         self.largest.as_ref().map_or(0.0, |(ratio, _)| spread(*ratio))
     }
@@ -136,7 +136,7 @@ fn spread(ratio: f64) -> f64 {
     libm::log(ratio.abs()).abs()
 }
 
-/// How many cases differ, and by what.
+/// The numbers of cases that are alike and differ, and by what.
 impl fmt::Display for OfExperiment<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { id, compared, differing, more_and_fewer: [more, fewer], .. } = self;

@@ -38,7 +38,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let [first, second] = [RunRecords::read(&options.first)?, RunRecords::read(&options.second)?];
     let comparison = Comparison::of(&first.counts, &second.counts);
     let mut text = summary(options, [&first, &second], &comparison);
-    text.push_str(&times::text(&first.times, &second.times, options.all));
+    let (head, lines) = times::text(&first.times, &second.times, options.all);
+    text.push_str(&head);
+    add_lines(&mut text, &lines, options.all);
     StandardOutput::print(text.as_bytes())?;
     let is_same = comparison.differences.is_empty() && comparison.reseeded == 0;
     Ok(if is_same && comparison.common > 0 { Ending::Good } else { Ending::Bad })
@@ -88,13 +90,13 @@ fn summary(options: &Options, records: [&RunRecords; 2], comparison: &Comparison
     } else {
         comparison.by_experiment().iter().map(ToString::to_string).collect()
     };
-    let shown = if options.all { lines.len() } else { LINES };
-    add_lines(&mut text, &lines, shown);
+    add_lines(&mut text, &lines, options.all);
     text
 }
 
-/// Adds the first lines, and how many experiments have none.
-fn add_lines(text: &mut String, lines: &[String], shown: usize) {
+/// Adds all lines, or the first ones and how many experiments have none.
+fn add_lines(text: &mut String, lines: &[String], are_all: bool) {
+    let shown = if are_all { lines.len() } else { LINES };
     for line in lines.iter().take(shown) {
         writeln!(text, "{line}").expect("writing to a string does not fail");
     }

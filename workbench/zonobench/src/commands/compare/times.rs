@@ -8,7 +8,6 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::{LINES, add_lines};
 use experiments::analysis::median;
 use experiments::fit::t_quantile_975;
 use experiments::record::{TimeOutcome, TimeRow};
@@ -22,8 +21,8 @@ type Samples<'a> = BTreeMap<Method<'a>, BTreeMap<&'a str, Vec<u64>>>;
 /// The ratios of the cases of a method, by case.
 type Ratios<'a> = Vec<(&'a str, f64)>;
 
-/// The ratios as lines of text: one for an experiment, or for each of its methods and cases.
-pub(super) fn text(first: &[TimeRow], second: &[TimeRow], with_all: bool) -> String {
+/// The ratios as text: what they are, and a line for an experiment, or for each of its methods and cases.
+pub(super) fn text(first: &[TimeRow], second: &[TimeRow], with_all: bool) -> (String, Vec<String>) {
     let mut text = String::new();
     let [before, after] = [first, second].map(samples);
     let mut line = |words: String| writeln!(text, "{words}").expect("writing to a string does not fail");
@@ -38,7 +37,7 @@ pub(super) fn text(first: &[TimeRow], second: &[TimeRow], with_all: bool) -> Str
         .collect();
     if ratios.is_empty() {
         line("times         no time is in both runs".to_owned());
-        return text;
+        return (text, Vec::new());
     }
     line("times         of the second run as a multiple of the first".to_owned());
     line(
@@ -55,15 +54,17 @@ pub(super) fn text(first: &[TimeRow], second: &[TimeRow], with_all: bool) -> Str
     }
     if with_all {
         line("              with the 95 % intervals of geometric means over cases".to_owned());
-        for ((experiment, method, lap), ratios) in &ratios {
-            let alone: Vec<f64> = ratios.iter().map(|(_, ratio)| *ratio).collect();
-            line(format!("  {experiment}: {method}, {lap}: {}", mean(&alone)));
-            ratios.iter().for_each(|(case, ratio)| line(format!("    {case}, {lap}: {ratio:.3}")));
-        }
+        (text, ratios.iter().flat_map(by_case).collect())
     } else {
-        add_lines(&mut text, &by_experiment(&ratios), LINES);
+        (text, by_experiment(&ratios))
     }
-    text
+}
+
+/// A line for a method, and one for each of its cases.
+fn by_case(((experiment, method, lap), ratios): &(Method<'_>, Ratios<'_>)) -> Vec<String> {
+    let alone: Vec<f64> = ratios.iter().map(|(_, ratio)| *ratio).collect();
+    let of_cases = ratios.iter().map(|(case, ratio)| format!("    {case}, {lap}: {ratio:.3}"));
+    std::iter::once(format!("  {experiment}: {method}, {lap}: {}", mean(&alone))).chain(of_cases).collect()
 }
 
 /// A line for each experiment, that with the ratio farthest from 1 first.
@@ -80,9 +81,10 @@ fn by_experiment(ratios: &[(Method<'_>, Ratios<'_>)]) -> Vec<String> {
             let [least, greatest] = range(&ratios);
             let shorter = ratios.iter().filter(|&&ratio| ratio < 1.0).count();
             let longer = ratios.iter().filter(|&&ratio| ratio > 1.0).count();
+            let average = libm::exp(middle);
             let words = format!(
-                "  {experiment}: {:.3} on average, from {least:.3} to {greatest:.3}; {shorter} shorter, {longer} longer",
-                libm::exp(middle)
+                "  {experiment}: {average:.3} on average, from {least:.3} to {greatest:.3}; {shorter} shorter, \
+                 {longer} longer"
             );
             (middle.abs(), words)
         })
@@ -156,19 +158,16 @@ mod tests {
     fn ratios_are_those_of_medians() {
         let first = [row(4, 0, 100), row(4, 1, 300), row(4, 2, 110), row(8, 0, 200)];
         let second = [row(4, 0, 220), row(8, 0, 400), row(16, 0, 1)];
-        let told = text(&first, &second, true);
-        let of_cases = "    toy/disc/m/n=4/0, total: 2.000\n    toy/disc/m/n=8/0, total: 2.000\n";
-        let told = told.strip_suffix(of_cases).expect("every case");
-        assert!(
-            told.ends_with("  toy: m, total: 2.000, 2 cases from 2.000 to 2.000: too few to tell a change\n"),
-            "{told}"
-        );
-        let told = text(&first, &second[..1], true);
-        assert!(told.contains("  toy: m, total: 2.000, one case: too few to tell a change\n"), "{told}");
-        let told = text(&first, &second, false);
-        let summed = "  toy: 2.000 on average, from 2.000 to 2.000; 0 shorter, 2 longer\n";
-        assert!(told.ends_with(summed) && told.contains("no ratio is a verdict\n"), "{told}");
-        assert!(text(&first, &second[2..], false).contains("no time is in both runs"));
+        let told = text(&first, &second, true).1;
+        let cases = ["    toy/disc/m/n=4/0, total: 2.000", "    toy/disc/m/n=8/0, total: 2.000"];
+        let method = "  toy: m, total: 2.000, 2 cases from 2.000 to 2.000: too few to tell a change";
+        assert_eq!(told, [method, cases[0], cases[1]]);
+        let told = text(&first, &second[..1], true).1;
+        assert_eq!(told, ["  toy: m, total: 2.000, one case: too few to tell a change", cases[0]]);
+        let (head, told) = text(&first, &second, false);
+        assert_eq!(told, ["  toy: 2.000 on average, from 2.000 to 2.000; 0 shorter, 2 longer"]);
+        assert!(head.contains("no ratio is a verdict\n"), "{head}");
+        assert!(text(&first, &second[2..], false).0.contains("no time is in both runs"));
     }
 
     /// Logarithms of 1, 1, 2, 4 and 4: their mean is that of 2, their variance that logarithm's square, and the

@@ -17,7 +17,7 @@ pub struct TableStart {
     skip: Option<u64>,
     /// The first line of a table, behind those that are left out, holds data.
     ///
-    /// Where it might be taken for a header or the sizes of the table; of two tables as --skip.
+    /// Otherwise it might be taken for a header or the sizes of the table; of two tables as --skip.
     #[arg(long)]
     no_header: bool,
 }

@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn options_say_which_vectors_are_meant() {
-        let columns = Layout { columns_are_generators: true, center_first: false };
+        let columns = Layout { columns_are_generators: true, ..Layout::default() };
         let both = Layout { center_first: true, ..columns };
         let rows = Layout { center_first: true, ..Layout::default() };
         let meant = body(&[10.0, 0.0], &[&[1.0, 0.0], &[0.0, 1.0]]);

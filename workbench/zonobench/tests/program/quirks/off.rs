@@ -53,8 +53,8 @@ fn vertices_of_other_dimensions_are_points() {
 fn what_may_be_meant_in_two_ways_is_refused_by_its_name() {
     for first in ["4OFF", "4nOFF", "C4OFF"] {
         let told = format!(
-            "line 1: is not OFF: begins with '{first}', whose last number is a weight to some programs and a coordinate \
-             to others; write OFF, or nOFF and 4"
+            "line 1: is not OFF: begins with '{first}', whose last number is a weight to some programs and a \
+             coordinate to others; write OFF, or nOFF and 4"
         );
         refused("t.off", tetrahedron(&format!("{first}\n"), " 1"), &[], &told);
     }

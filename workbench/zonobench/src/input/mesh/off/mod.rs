@@ -158,7 +158,7 @@ fn columns<const D: usize>() -> [u64; D] {
     from_fn(|coordinate| coordinate as u64 + 1)
 }
 
-/// So many coordinates.
+/// The number of coordinates in words.
 fn coordinates_in_words(count: usize) -> &'static str {
     ["one coordinate", "two coordinates", "three coordinates", "four coordinates"][count - 1]
 }
