@@ -24,15 +24,19 @@ impl Journal {
         let text = match fs::read(&path) {
             Ok(text) => text,
             Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
-            Err(error) => return Err(error),
+            Err(error) => return Err(named(&path)(error)),
         };
         let (rows, kept) = readable_rows(&text, header);
-        let mut file = OpenOptions::new().create(true).truncate(false).write(true).open(&path)?;
-        file.set_len(kept as u64)?;
-        io::Seek::seek(&mut file, io::SeekFrom::End(0))?;
-        if kept == 0 {
-            file.write_all(format!("{header}\n").as_bytes())?;
-        }
+        let begun = || {
+            let mut file = OpenOptions::new().create(true).truncate(false).write(true).open(&path)?;
+            file.set_len(kept as u64)?;
+            io::Seek::seek(&mut file, io::SeekFrom::End(0))?;
+            if kept == 0 {
+                file.write_all(format!("{header}\n").as_bytes())?;
+            }
+            Ok(file)
+        };
+        let file = begun().map_err(named(&path))?;
         Ok((Self { path, file: Mutex::new(file) }, rows))
     }
 
@@ -40,12 +44,12 @@ impl Journal {
     pub fn append<Row: Serialize>(&self, rows: &[Row]) -> io::Result<()> {
         let text = json_lines(rows)?;
         let mut file = self.file.lock().map_err(|_| io::Error::other("another thread failed while it wrote"))?;
-        file.write_all(text.as_bytes())
+        file.write_all(text.as_bytes()).map_err(named(&self.path))
     }
 
     /// Removes the journal: its rows are in a final file now.
     pub fn remove(self) -> io::Result<()> {
-        fs::remove_file(self.path)
+        fs::remove_file(&self.path).map_err(named(&self.path))
     }
 }
 
@@ -82,10 +86,19 @@ pub(super) fn write_atomically(path: &Path, text: &str) -> io::Result<()> {
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".new.partial");
     let temporary = PathBuf::from(temporary);
-    let mut file = File::create(&temporary)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()?;
-    fs::rename(temporary, path)
+    let write = || {
+        let mut file = File::create(&temporary)?;
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    };
+    write().map_err(named(path))
+}
+
+/// A complaint of the same kind that names the file within its directory.
+fn named(path: &Path) -> impl FnOnce(io::Error) -> io::Error {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    move |error| io::Error::new(error.kind(), format!("{name}: {error}"))
 }
 
 #[cfg(test)]

@@ -26,6 +26,29 @@ macro_rules! in_dimension {
 }
 pub(super) use in_dimension;
 
+/// The kinds that are about one dimension alone, and what they take.
+const OF_ONE_DIMENSION: [(&str, &str); 9] = [
+    ("collide", "bodies and meshes of space"),
+    ("sweep", "bodies of space"),
+    ("mesh", "meshes of space"),
+    ("mesh_level", "meshes of space"),
+    ("separator", "generators of space"),
+    ("upper_hull", "generators of space"),
+    ("walk", "generators of space"),
+    ("slope_selection", "generators of space"),
+    ("min_area", "points of the plane"),
+];
+
+/// The refusal by a kind; one of a vector with coordinates too few or too many says what the kind takes, where that is
+/// all of one dimension.
+pub(super) fn explained(refusal: Refusal, kind: &str) -> Refusal {
+    let of_one = OF_ONE_DIMENSION.iter().find(|(name, _)| *name == kind);
+    match of_one.filter(|_| refusal.code == Code::DimensionMismatch && refusal.message.contains(" coordinate")) {
+        Some((name, taken)) => Refusal::new(refusal.code, format!("{}: `{name}` takes {taken}", refusal.message)),
+        None => refusal,
+    }
+}
+
 /// The refusal of a vector that has too many coordinates, or none.
 pub(super) fn refused(name: &str, dimension: usize, most: usize) -> Refusal {
     let (least, most) = if cfg!(feature = "every-dimension") { (1, most) } else { (2, most.min(3)) };

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use super::dimension::explained;
 use super::fields::Fields;
 use super::kinds::{HeldBody, KINDS, Solution};
 use super::names::plain;
@@ -91,6 +92,7 @@ impl Question {
         };
         let input = plain(&self.input, kind)?;
         (kind.solve)(&Fields::of_input(&input, kind.fields, kind.optional)?, method, seed)
+            .map_err(|refusal| explained(refusal, kind.name))
     }
 
     /// The body that the input is, or why it is none.

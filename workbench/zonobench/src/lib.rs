@@ -4,7 +4,7 @@
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
-//!   whole or not at all.
+//!   whole or not at all, [`standard_output`] is the other place of results.
 //! - [`report`] lays out what `reproduce` found.
 //! - `digest` names files by their SHA-256.
 //! - [`enclosure`] is the answer of least area, with its exact check.
@@ -15,6 +15,7 @@
 //! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for
 //! a failure, 2 for a command line that makes no sense and 141 where the reader of standard output went away.
 
+mod absent;
 pub mod cli;
 pub mod commands;
 mod digest;
@@ -24,42 +25,54 @@ pub mod lines;
 pub mod output;
 pub mod progress;
 pub mod report;
+pub mod standard_output;
 
 use std::ffi::OsString;
 use std::io;
 use std::process::ExitCode;
 
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
 
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
+use standard_output::{check_standard_output, named};
 
 /// The status of a program whose reader went away before the end, as shells tell it of one that SIGPIPE ended.
 const READER_GONE: u8 = 141;
 
 /// Runs the program with the given command line, its name included.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let command = arguments.get(1).map(|word| word.to_string_lossy().into_owned()).unwrap_or_default();
     let parsed = with_negative_numbers(Cli::command()).try_get_matches_from(arguments);
     let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(message) => {
-            let message = without_vain_tip(nearest_first(message));
-            let wrong = message.use_stderr();
-            // A reader that has gone away needs no message.
-            let _ = message.print();
-            return ExitCode::from(if wrong { 2 } else { 0 });
+            let message = with_reason(without_vain_tip(nearest_first(message)), &command);
+            if message.use_stderr() {
+                // A reader that has gone away needs no message.
+                let _ = message.print();
+                return ExitCode::from(2);
+            }
+            let printed = check_standard_output().and_then(|()| message.print().map_err(named));
+            return printed.map_or_else(|error| failure(&error.into()), |()| ExitCode::SUCCESS);
         }
     };
     match dispatch(&cli) {
         Ok(Ending::Good) => ExitCode::SUCCESS,
         Ok(Ending::Bad) => ExitCode::FAILURE,
-        Err(error) if is_broken_pipe(&error) => ExitCode::from(READER_GONE),
-        Err(error) => {
-            commands::tell(&told_once(&error));
-            if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
-        }
+        Err(error) => failure(&error),
     }
+}
+
+/// Tells why a command failed, unless its reader went away and needs no message; gives the status.
+fn failure(error: &anyhow::Error) -> ExitCode {
+    if is_broken_pipe(error) {
+        return ExitCode::from(READER_GONE);
+    }
+    commands::tell(&told_once(error));
+    if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
 }
 
 fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
@@ -107,6 +120,21 @@ fn without_vain_tip(mut message: clap::Error) -> clap::Error {
     if matches!(message.get(ContextKind::InvalidArg), Some(ContextValue::String(word)) if is_number(word)) {
         let tip = "an equals sign stands before a value that begins with a minus, as in '--option=-1'";
         message.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.to_owned().into()]));
+    }
+    message
+}
+
+/// A complaint about an option of reading that the command does not have, with the reason.
+fn with_reason(mut message: clap::Error, command: &str) -> clap::Error {
+    let reason = match message.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(option)) if message.kind() == ErrorKind::UnknownArgument => {
+            absent::reason(command, option.split('=').next().unwrap_or_default())
+        }
+        _ => None,
+    };
+    if let Some(reason) = reason {
+        message.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![reason.to_owned().into()]));
+        message.remove(ContextKind::SuggestedArg);
     }
     message
 }

@@ -1,11 +1,13 @@
 //! Files that appear whole or not at all, and results that take standard output in place of a file.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf, absolute};
 
 use tempfile::{Builder, NamedTempFile};
 use thiserror::Error;
+
+use crate::standard_output::{StandardOutput, check_standard_output};
 
 /// Why a file was not written.
 #[derive(Debug, Error)]
@@ -20,6 +22,9 @@ pub enum OutputError {
     /// The file is a link, which would be replaced.
     #[error("{}: is a link; name the file that it leads to, or - for standard output", .0.display())]
     Link(PathBuf),
+    /// Standard output cannot be written; the complaint names it.
+    #[error("{0}")]
+    StandardOutput(#[source] io::Error),
     /// Two results would be written to the file.
     #[error("{}: two results cannot be written to one file", .0.display())]
     Twice(PathBuf),
@@ -71,7 +76,7 @@ pub struct Outputs {
 impl Outputs {
     /// Refuses early, before the work is done, what [`write_whole`] would refuse after it: files that exist, whose
     /// folder cannot be made or takes no files, that are named twice or are read as well. Standard output is refused
-    /// where it is closed.
+    /// where it is closed and a result goes there, or everything does because no file is named.
     pub fn checked<'a>(
         outputs: impl IntoIterator<Item = &'a PathBuf>,
         inputs: &[&Path],
@@ -83,7 +88,7 @@ impl Outputs {
         let mut taken = Vec::new();
         for output in outputs {
             let place = if is_piped(output) {
-                check_standard_output().map_err(unwritable(output))?;
+                check_standard_output().map_err(OutputError::StandardOutput)?;
                 output.clone()
             } else {
                 check_free(output, existing)?;
@@ -98,6 +103,9 @@ impl Outputs {
             }
             taken.push(place);
         }
+        if taken.is_empty() {
+            check_standard_output().map_err(OutputError::StandardOutput)?;
+        }
         Ok(Self { existing, has_piped_result: taken.iter().any(|place| is_piped(place)) })
     }
 
@@ -106,8 +114,7 @@ impl Outputs {
         if !is_piped(file) {
             return write_whole(file, content, self.existing);
         }
-        let mut output = io::stdout().lock();
-        output.write_all(content).and_then(|()| output.flush()).map_err(unwritable(file))
+        StandardOutput::print(content).map_err(OutputError::StandardOutput)
     }
 
     /// Writes the results, each to its file, and tells the summary whatever becomes of them: one that cannot be made or
@@ -125,6 +132,12 @@ impl Outputs {
         first_failure(outcomes).and(told.map_err(Into::into))
     }
 
+    /// Writes one result to its file, and tells the summary, which says that it is there, unless it is not.
+    pub fn finish_one(&self, file: &Path, content: &[u8], summary: &str) -> anyhow::Result<()> {
+        self.write(file, content)?;
+        Ok(self.tell(summary)?)
+    }
+
     /// The fate of each result.
     fn write_all(&self, results: Results<'_>) -> Vec<anyhow::Result<()>> {
         results.0.into_iter().map(|(file, content)| Ok(self.write(file, &content?)?)).collect()
@@ -132,7 +145,7 @@ impl Outputs {
 
     /// Prints lines on standard output, unless a result has that to itself.
     pub fn print(&self, lines: &str) -> io::Result<()> {
-        if self.has_piped_result { Ok(()) } else { io::stdout().lock().write_all(lines.as_bytes()) }
+        if self.has_piped_result { Ok(()) } else { StandardOutput::print(lines.as_bytes()) }
     }
 
     /// Tells a person what was found: on standard output, or on standard error where a result has that to itself.
@@ -140,7 +153,7 @@ impl Outputs {
         if self.has_piped_result {
             io::stderr().lock().write_all(summary.as_bytes())
         } else {
-            io::stdout().lock().write_all(summary.as_bytes())
+            StandardOutput::print(summary.as_bytes())
         }
     }
 }
@@ -185,29 +198,6 @@ fn check_room(file: &Path) -> io::Result<()> {
     new_file(folder).map(drop).map_err(told)
 }
 
-/// Refuses standard output that nothing is open for, where that can be told.
-///
-/// A program whose standard output is closed finds the null device in its place before it begins, open for reading as
-/// well, so that what it writes vanishes with every sign of success. Somebody who wants that opens the device for
-/// writing alone, as shells do.
-pub fn check_standard_output() -> io::Result<()> {
-    #[cfg(target_os = "linux")]
-    {
-        const OPEN_FOR_BOTH: u32 = 2;
-        const ACCESS: u32 = 3;
-        let is_null = fs::read_link("/proc/self/fd/1").is_ok_and(|device| device == Path::new("/dev/null"));
-        let described = fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
-        let flags = described.lines().find_map(|line| line.strip_prefix("flags:"));
-        let flags = flags.and_then(|flags| u32::from_str_radix(flags.trim(), 8).ok()).unwrap_or_default();
-        if is_null && flags & ACCESS == OPEN_FOR_BOTH {
-            let complaint = "standard output is closed, or is the null device open for reading as well; `>/dev/null` \
-                             drops what is written";
-            return Err(io::Error::other(complaint));
-        }
-    }
-    Ok(())
-}
-
 fn folder_of(file: &Path) -> &Path {
     match file.parent() {
         Some(parent) if parent != Path::new("") => parent,
@@ -237,11 +227,10 @@ pub fn write_whole(file: &Path, content: &[u8], existing: Existing) -> Result<()
 
 fn written(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
     let temporary = new_file(folder)?;
-    let mut writer = BufWriter::new(&temporary);
-    writer.write_all(content)?;
-    writer.flush()?;
-    drop(writer);
-    temporary.as_file().sync_all()?;
+    // The file itself, as the temporary one would add its name to every complaint.
+    let mut file = temporary.as_file();
+    file.write_all(content)?;
+    file.sync_all()?;
     Ok(temporary)
 }
 

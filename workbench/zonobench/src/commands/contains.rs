@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Ending;
-use super::asked::{About, Asked, body_formats, floats, how_to_verify, record};
+use super::asked::{About, Asked, body_formats, check_taken, floats, how_to_verify, record};
 use super::asking::PointOptions;
-use super::placing::{Placing, describe};
+use super::placing::{Placing, describe, told};
 use super::table::{Table, in_full, with_six_digits};
 use super::usage::question_name;
 use super::usage::{check_inputs, check_names, read_telling};
-use crate::input::{Format, OptionNames, Placed, Reading, Wanted};
+use crate::input::{COORDINATE_LIMIT, Format, OptionNames, Placed, Reading, Wanted};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
@@ -32,6 +32,12 @@ pub struct Options {
     /// The format of the zonotope, where the extension does not tell it.
     #[arg(long, value_name = "FORMAT", value_parser = body_formats())]
     body_format: Option<Format>,
+    /// The number of lines of the zonotope's table to leave out at its start.
+    #[arg(long, value_name = "N")]
+    body_skip: Option<u64>,
+    /// The first line of the zonotope's table, behind those that are left out, holds data.
+    #[arg(long)]
+    body_no_header: bool,
     #[command(flatten)]
     placing: Placing,
     /// Write the answer, in the format of `solve`.
@@ -53,7 +59,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.body, options.body_format, OptionNames::BESIDE_POINTS)?;
+    let skip = told(options.body_skip, options.body_no_header);
+    let file = options.placing.read(&options.body, options.body_format, skip, OptionNames::BESIDE_POINTS)?;
+    check_taken(&options.body, &file.placed, 1..=COORDINATE_LIMIT)?;
     let reading = read_telling(&source, Wanted::Any)?;
     reading.check_dimension(&options.points, file.placed.dimension())?;
 

@@ -9,7 +9,8 @@ use anyhow::{Context, bail};
 use clap::Args;
 
 use super::{Ending, Usage};
-use crate::output::{Existing, Outputs, Results, write_whole};
+use crate::output::{Existing, Outputs, write_whole};
+use crate::standard_output::StandardOutput;
 
 /// The page as `workbench/explorer/build` makes it.
 static PAGE: &[u8] = include_bytes!("../../../explorer/explorer.html");
@@ -49,10 +50,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         }
         Some(out) => {
             let outputs = Outputs::checked([out], &[], Existing::from_force(options.force))?;
-            let mut results = Results::default();
-            results.add(Some(out), || Ok(PAGE.to_vec()));
             let told = format!("{}: the page; it opens in any browser, without a network\n", out.display());
-            outputs.finish(results, &told)?;
+            outputs.finish_one(out, PAGE, &told)?;
             out.clone()
         }
     };
@@ -61,7 +60,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         open(&page)
             .with_context(|| format!("{}: is written, but cannot be opened; open it by hand", page.display()))?;
         if options.out.is_none() {
-            println!("{}: the page, which opens in the browser", page.display());
+            let told = format!("{}: the page, which opens in the browser\n", page.display());
+            StandardOutput::print(told.as_bytes())?;
         }
     }
     Ok(Ending::Good)

@@ -9,7 +9,7 @@ use figures::figure::FigureInput;
 
 use super::Ending;
 use super::usage::{Usage, check_names};
-use crate::output::{Existing, Outputs, Results};
+use crate::output::{Existing, Outputs};
 use crate::progress::RunProgress;
 use crate::report::USUAL_SEED;
 
@@ -50,8 +50,6 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
     let records = runner::run(&experiments, &run, &RunProgress::default())?;
     let svg = figure.draw(&FigureInput { records: Some(&records) })?;
-    let mut results = Results::default();
-    results.add(Some(&options.svg), || Ok(svg.into_bytes()));
-    outputs.finish(results, &format!("{}\n{}\n", figure.title, figure.caption))?;
+    outputs.finish_one(&options.svg, svg.as_bytes(), &format!("{}\n{}\n", figure.title, figure.caption))?;
     Ok(Ending::Good)
 }

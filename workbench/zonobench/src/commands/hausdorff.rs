@@ -6,13 +6,13 @@ use clap::Args;
 
 use super::Ending;
 use super::asked::{About, Asked, body_formats, check_dimensions, float, floats, how_to_verify, record, zonotope_of};
-use super::placing::{Placing, PlacingOfSecond, describe, rounded_in_words};
+use super::placing::{Placing, PlacingOfSecond, TableStart, describe, rounded_in_words};
 use super::table::{Table, at_least, at_most, figure, tuple, with_six_digits};
 use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
 use crate::input::{Format, OptionNames, Placed};
 use crate::output::{Existing, Outputs, Results};
-use batch::Verdict;
+use batch::{MAX_DIMENSION, Verdict};
 
 /// Options of `hausdorff`.
 #[derive(Debug, Args)]
@@ -27,6 +27,8 @@ pub struct Options {
     /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
     #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
+    #[command(flatten)]
+    start: TableStart,
     #[command(flatten)]
     placing: Placing,
     #[command(flatten)]
@@ -52,13 +54,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let names = [&options.a, &options.b];
     let formats = [options.format, options.placing_of_b.format(options.format)];
+    let skips = [options.start.told(), options.placing_of_b.skip(options.start.told())];
     let files = [
-        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
-        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+        placings[0].read(names[0], formats[0], skips[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], skips[1], OptionNames::OF_SECOND)?,
     ];
     let request = record(About::Hausdorff, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=MAX_DIMENSION)?;
     let rounded = [bodies[0].rounded(names[0])?, bodies[1].rounded(names[1])?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = rounded.each_ref().map(|rounded| zonotope_of(&rounded.body));

@@ -1,10 +1,11 @@
 //! `zonobench list`: what there is, by id.
 
-use std::io::{self, BufWriter, Write};
+use std::io::Write;
 
 use clap::{Args, ValueEnum};
 
 use super::Ending;
+use crate::standard_output::StandardOutput;
 use batch::KINDS;
 
 /// Options of `list`.
@@ -28,7 +29,7 @@ enum What {
 
 /// Prints a line for each: id, then what it is.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let mut output = BufWriter::new(io::stdout().lock());
+    let mut output = StandardOutput::open()?;
     for &what in What::value_variants() {
         if options.what.is_some_and(|chosen| chosen != what) {
             continue;
@@ -44,7 +45,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             writeln!(output)?;
         }
     }
-    output.flush()?;
+    output.finish()?;
     Ok(Ending::Good)
 }
 

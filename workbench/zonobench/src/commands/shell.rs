@@ -1,7 +1,5 @@
 //! `zonobench completions` and `zonobench man`: what a shell and its manual know of the program.
 
-use std::io::{self, Write};
-
 use batch::did_you_mean;
 use clap::{Args, Command};
 use clap_complete::Shell;
@@ -9,6 +7,7 @@ use clap_mangen::Man;
 
 use super::Ending;
 use super::usage::Usage;
+use crate::standard_output::StandardOutput;
 
 /// Options of `completions`.
 #[derive(Debug, Args)]
@@ -29,7 +28,7 @@ pub fn completions(options: &CompletionOptions, mut program: Command) -> anyhow:
     let name = program.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(options.shell, &mut program, name, &mut script);
-    io::stdout().lock().write_all(&script)?;
+    StandardOutput::print(&script)?;
     Ok(Ending::Good)
 }
 
@@ -48,6 +47,6 @@ pub fn man(options: &ManOptions, mut program: Command) -> anyhow::Result<Ending>
     };
     let mut text = Vec::new();
     Man::new(page).render(&mut text)?;
-    io::stdout().lock().write_all(&text)?;
+    StandardOutput::print(&text)?;
     Ok(Ending::Good)
 }

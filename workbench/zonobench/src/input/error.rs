@@ -108,6 +108,12 @@ pub enum Problem {
         /// The option that names the format of the file.
         option: &'static str,
     },
+    /// Triangles are wanted, and the format has none.
+    #[error("the format {0} holds no triangles; {MESHES}")]
+    NoTriangles(String),
+    /// Triangles are wanted, and the mesh has none.
+    #[error("holds vertices and no faces; {MESHES}; `zonobench enclose` makes a body around points")]
+    NoFaces,
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
@@ -188,12 +194,14 @@ pub enum Problem {
     #[error("has the columns x, y and z, so its points are in space; choose two columns with --columns")]
     ThirdCoordinate,
     /// A text stands beside numbers and above one, in a column that is read.
-    #[error("'{text}' is not a number, but below it is one; if this line is a header, --skip {skip} leaves it out")]
+    #[error("'{text}' is not a number, but below it is one; if this line is a header, {option} {skip} leaves it out")]
     TextAboveNumber {
         /// The text.
         text: String,
         /// The lines to skip: this one and those above it.
         skip: u64,
+        /// The option that leaves lines out.
+        option: &'static str,
     },
     /// The first row may be a header or data: the chosen cells are numbers, another one is text above a number.
     #[error(
@@ -320,6 +328,9 @@ pub(super) fn numbered(cells: usize) -> Vec<String> {
     (1..=cells).map(|number| number.to_string()).collect()
 }
 
+/// The formats that hold triangles, in words.
+const MESHES: &str = "a mesh is an OBJ, PLY, STL or OFF file with faces";
+
 /// The names of the formats, as messages list them.
 const FORMATS: &str = "csv, xyz, geojson, json, npy, obj, ply, stl or off";
 
@@ -333,6 +344,11 @@ impl Problem {
     /// Whether a number is missing, not finite, or beyond the range of doubles, so that its point may be left out.
     pub(super) fn is_missing(&self) -> bool {
         matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell | Self::NoField(_))
+    }
+
+    /// Whether the file cannot be read, or has another format than it is read in.
+    pub fn is_of_file(&self) -> bool {
+        matches!(self, Self::Unreadable(_) | Self::Folder | Self::ForeignContent(_) | Self::OtherFormat { .. })
     }
 
     /// The complaint about `file` at `place`.
@@ -356,7 +372,7 @@ impl Problem {
             Self::TextAmongNumbers { text, cells, wanted } => {
                 Self::TextAmongNumbers { text: tidy(text), cells, wanted }
             }
-            Self::TextAboveNumber { text, skip } => Self::TextAboveNumber { text: tidy(text), skip },
+            Self::TextAboveNumber { text, skip, option } => Self::TextAboveNumber { text: tidy(text), skip, option },
             Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),

@@ -25,7 +25,7 @@ mod reading;
 mod signature;
 mod table;
 
-pub use self::points::MAX_POINTS;
+pub use self::points::{COORDINATE_LIMIT, MAX_POINTS};
 use std::path::{Path, PathBuf};
 
 pub use body::{

@@ -3,7 +3,7 @@
 use super::error::{Problem, TWO};
 
 /// Points with up to this many coordinates are read.
-pub(super) const COORDINATE_LIMIT: usize = 4;
+pub const COORDINATE_LIMIT: usize = 4;
 
 /// Points of the line, the plane, space or four dimensions.
 #[derive(Debug, Clone, PartialEq)]

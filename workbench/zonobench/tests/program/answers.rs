@@ -265,3 +265,36 @@ fn three_generators_are_no_worse_than_the_oriented_box_that_is_told() {
         assert_eq!(verified(folder, "p.csv", &[]).1[1], "right");
     }
 }
+
+/// The bound on the length has one row and one number; the certificate says that both sides of it were checked.
+#[test]
+fn the_ratio_of_length_to_lower_bound_is_told_once() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "x,y,z\n0,0,0\n2,0.3,1\n0.1,2,0\n1.5,1.7,2\n3,1,1\n").expect("written");
+    for words in [
+        &[][..],
+        &["--directions", "net:2"],
+        &["--directions", "axes"],
+        &["--max-generators", "3"],
+        &["--epsilon", "0.1"],
+        &["--objective", "volume"],
+    ] {
+        let summary = enclosed(folder, "p.csv", words);
+        let ratio = row(&summary, "ratio");
+        let (number, words_behind) =
+            ratio.split_once(", of length to lower bound: proven, none is shorter by more").expect("told");
+        let factor =
+            number.strip_prefix("1 + ").map_or_else(|| number.parse(), |part| part.parse().map(|x: f64| 1.0 + x));
+        assert!(factor.is_ok_and(|factor| (1.0..1.2).contains(&factor)), "{words:?}: {ratio}");
+        assert!(words_behind.is_empty() || words_behind.starts_with("; "), "{ratio}");
+        let certificate = row(&summary, "certificate");
+        assert!(
+            certificate.starts_with("checked, exactly: contains all 5 points; length and lower bound"),
+            "{certificate}"
+        );
+        for other in ["times the least", "of the proven bound"] {
+            assert!(!summary.contains(other), "{words:?}: {summary}");
+        }
+    }
+}

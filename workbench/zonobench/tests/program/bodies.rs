@@ -2,6 +2,7 @@
 
 mod levels;
 mod spellings;
+mod starts;
 
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,8 @@
 //! Files as other programs write them, which are read, or refused by the name of what is in doubt; the summary tells
 //! what a reading leaves out, or takes in a way that is not plain.
 
+mod off;
+
 use std::fs;
 use std::path::Path;
 

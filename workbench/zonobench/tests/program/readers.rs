@@ -1,5 +1,7 @@
 //! Files that cannot be read: one line that names file and place, status 1, and nothing written.
 
+mod kinds;
+
 use std::fs;
 use std::path::Path;
 

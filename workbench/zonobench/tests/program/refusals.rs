@@ -49,9 +49,10 @@ fn numbers_that_are_not_finite() {
 
 #[test]
 fn shapes() {
+    let in_the_plane = |point: &str| format!("{point} coordinates, not 2: `min_area` takes points of the plane");
     refused(&min_area("[]"), "empty", &refusal(&min_area("[]")).1);
-    refused(&min_area("[[0,0],[1,2,3]]"), "dimension_mismatch", "point 2 has 3 coordinates, not 2");
-    refused(&min_area("[[]]"), "dimension_mismatch", "point 1 has 0 coordinates, not 2");
+    refused(&min_area("[[0,0],[1,2,3]]"), "dimension_mismatch", &in_the_plane("point 2 has 3"));
+    refused(&min_area("[[]]"), "dimension_mismatch", &in_the_plane("point 1 has 0"));
     refused(&min_area("[[0,0],[1,null]]"), "bad_input", "point 2, coordinate 2 is null, not a number");
     refused(&min_area(r#"[[0,"1"]]"#), "bad_input", "point 1, coordinate 2 is a string, not a number");
     refused(&min_area("[7]"), "bad_input", "point 1 is a number, not a list");

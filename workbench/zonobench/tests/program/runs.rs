@@ -107,7 +107,11 @@ fn two_runs_are_compared() {
         same.stdout
     );
     assert!(same.stdout.contains("the same, values and answers as well"), "{}", same.stdout);
-    assert!(same.stdout.contains("  hull-scaling: by_discarding, total: "), "{}", same.stdout);
+    assert!(same.stdout.contains("  hull-scaling: ") && same.stdout.contains(" shorter, "), "{}", same.stdout);
+    assert!(same.stdout.contains("no ratio is a verdict\n") && same.stdout.contains("machine  "), "{}", same.stdout);
+    let every = run(folder, &["compare", "a", "b", "--all"]).stdout;
+    assert!(every.contains("  hull-scaling: by_discarding, total: "), "{every}");
+    assert!(every.contains("    hull-scaling/disc/by_discarding/n=8/0, total: "), "{every}");
 
     let counts = folder.join("b/records/counts.jsonl");
     let text = fs::read_to_string(&counts).expect("records");
@@ -115,11 +119,13 @@ fn two_runs_are_compared() {
     let other = run(folder, &["compare", "a", "b"]);
     assert_eq!(other.status, 1, "{}", other.stdout);
     assert!(other.stdout.contains("1 case differs"), "{}", other.stdout);
-    assert!(
-        other.stdout.contains("  hull-scaling: by_discarding on disc, n = 8, instance 0: turn "),
-        "{}",
-        other.stdout
-    );
+    let summed = "  hull-scaling: 5 cases alike, 1 not: 1 with more operations, 0 with fewer; the largest ratio is ";
+    assert!(other.stdout.contains(summed), "{}", other.stdout);
+    assert!(other.stdout.contains(", turn of by_discarding on disc, n = 8, instance 0\n"), "{}", other.stdout);
+    let every = run(folder, &["compare", "a", "b", "--all"]);
+    assert_eq!(every.status, 1);
+    let case = "  hull-scaling: by_discarding on disc, n = 8, instance 0: turn ";
+    assert!(every.stdout.contains(case), "{}", every.stdout);
     let reseeded = run(folder, &["reproduce", "--config", "my.toml", "--out", "seed7", "--seed", "7"]);
     assert_eq!(reseeded.status, 0, "{}{}", reseeded.stdout, reseeded.stderr);
     let seeds = run(folder, &["compare", "a", "seed7"]);

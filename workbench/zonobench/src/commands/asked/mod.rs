@@ -2,6 +2,7 @@
 
 mod request;
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use anyhow::{bail, ensure};
@@ -79,12 +80,29 @@ pub(super) fn zonotope_of(body: &Body) -> Value {
     json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)})
 }
 
-/// Refuses two bodies of different dimensions, which have no question in common.
-pub(super) fn check_dimensions([a, b]: [&PathBuf; 2], bodies: &[Placed; 2]) -> anyhow::Result<()> {
+/// Refuses a body whose number of coordinates a command does not take.
+pub(super) fn check_taken(file: &Path, body: &Placed, taken: RangeInclusive<usize>) -> anyhow::Result<()> {
+    let (least, most) = taken.clone().into_inner();
+    let what = match (least, most) {
+        (3, 3) => "bodies of space, with three, are taken".to_owned(),
+        _ => format!("bodies with {least} to {most} are taken"),
+    };
+    let dimension = body.dimension();
+    let coordinates = counted(dimension, "coordinate", "coordinates");
+    ensure!(taken.contains(&dimension), "{}: has {coordinates}; {what}", file.display());
+    Ok(())
+}
+
+/// Refuses two bodies of different dimensions, which have no question in common, or of one that is not taken.
+pub(super) fn check_dimensions(
+    [a, b]: [&PathBuf; 2],
+    bodies: &[Placed; 2],
+    taken: RangeInclusive<usize>,
+) -> anyhow::Result<()> {
     let [in_a, in_b] = bodies.each_ref().map(Placed::dimension);
     let coordinates = counted(in_a, "coordinate", "coordinates");
     ensure!(in_a == in_b, "{}: has {coordinates}, while {} has {in_b}", a.display(), b.display());
-    Ok(())
+    check_taken(a, &bodies[0], taken)
 }
 
 /// The command that checks an answer about some files which was written to a file, or how to write one. Standard input

@@ -150,7 +150,7 @@ pub(crate) struct BodyFile {
 pub(crate) const SWEEP_FIELDS: [&str; 4] = ["axis_point", "axis", "angle", "translation"];
 
 /// The fields of the record of a file with a body.
-const BODY_FIELDS: [&str; 5] = ["format", COLUMNS_ARE_GENERATORS, CENTER_FIRST, "pose", "sha256"];
+const BODY_FIELDS: [&str; 6] = ["format", COLUMNS_ARE_GENERATORS, CENTER_FIRST, "skip", "pose", "sha256"];
 
 const COLUMNS_ARE_GENERATORS: &str = "columns_are_generators";
 const CENTER_FIRST: &str = "center_first";
@@ -159,11 +159,14 @@ impl BodyFile {
     /// The record of a request on it: how the file is read and placed, and its SHA-256.
     pub(crate) fn record(&self) -> Value {
         let mut record = json!({"format": self.origin.format.to_string()});
-        let Layout { columns_are_generators, center_first } = self.layout;
+        let Layout { columns_are_generators, center_first, skip } = self.layout;
         for (name, is_set) in [(COLUMNS_ARE_GENERATORS, columns_are_generators), (CENTER_FIRST, center_first)] {
             if is_set {
                 record[name] = true.into();
             }
+        }
+        if let Some(skip) = skip {
+            record["skip"] = skip.into();
         }
         if let Some(pose) = &self.placed.pose {
             record["pose"] = pose.to_json();
@@ -253,11 +256,14 @@ fn recorded(about: About, request: &Tree) -> Result<Recorded, RecordError> {
         let known = if role == Role::Points { &POINT_FIELDS[..] } else { &BODY_FIELDS };
         note_unknown(record, known, &format!("{}, ", role.field()));
         let sha256 = field(record, "sha256", |value| value.text().map(str::to_owned))?;
+        let points = recorded_points(record)?;
+        let skip = points.skip;
         let file = RecordedFile {
-            points: recorded_points(record)?,
+            points,
             layout: Layout {
                 columns_are_generators: field(record, COLUMNS_ARE_GENERATORS, truth)?.unwrap_or(false),
                 center_first: field(record, CENTER_FIRST, truth)?.unwrap_or(false),
+                skip,
             },
             pose: record.field("pose").cloned(),
             sha256: Some(sha256.ok_or(RecordError("sha256"))?),

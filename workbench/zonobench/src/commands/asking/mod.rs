@@ -108,7 +108,10 @@ impl Asking {
 
     /// The objective, if the options say it and agree about it.
     pub(super) fn stated_objective(&self, file: &Path) -> Result<Option<Objective>, Usage> {
-        let is_mesh = self.points.source(file)?.known_format().is_some_and(Format::is_mesh);
+        // An OFF file may be one of the plane, which its content tells.
+        let may_be_planar = |format| format == Format::Off && self.objective == Some(Objective::Area);
+        let format = self.points.source(file)?.known_format();
+        let is_mesh = format.is_some_and(|format| format.is_mesh() && !may_be_planar(format));
         let reason = if self.directions.is_some() {
             Some("--directions ask for the least length")
         } else if self.epsilon.is_some() {

@@ -36,13 +36,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         return finished(options, &outputs, &asked, &request, summary);
     }
     let formats = [options.format, options.placing_of_b.format(options.format)];
+    let skips = [options.start.told(), options.placing_of_b.skip(options.start.told())];
     let files = [
-        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
-        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+        placings[0].read(names[0], formats[0], skips[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], skips[1], OptionNames::OF_SECOND)?,
     ];
     let mut request = record(About::Collide, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 3..=3)?;
     let motion = options.step.motion()?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let rounded = [bodies[0].rounded(names[0])?, bodies[1].rounded(names[1])?];

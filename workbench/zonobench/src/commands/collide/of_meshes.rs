@@ -48,6 +48,9 @@ pub(super) fn asked(options: &Options) -> anyhow::Result<AskedMeshes> {
     if let Some(option) = options.placing.layout_given().or(placing_of_b.layout_given()) {
         return Err(Usage::not_applicable(option, "meshes have no generators").into());
     }
+    if let Some(option) = options.start.given().or(options.placing_of_b.skip(None).map(|_| "--skip-b")) {
+        return Err(Usage::not_applicable(option, "only tables have lines that are left out, or a header").into());
+    }
     let read = |file: &Path, placing: &Placing, names: OptionNames| -> anyhow::Result<Posed> {
         let pose = placing.after(None, 3, file, names)?;
         Ok(Posed { mesh: Read::in_doubles(file, options.format, pose.as_ref())?, pose })

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::step::Step;
-use crate::commands::placing::{Placing, PlacingOfSecond};
+use crate::commands::placing::{Placing, PlacingOfSecond, TableStart};
 use crate::input::Format;
 
 /// The formats of zonotopes and of meshes, as the values of an option.
@@ -28,6 +28,8 @@ pub struct Options {
     /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
     #[arg(long, value_parser = formats())]
     pub(super) format: Option<Format>,
+    #[command(flatten)]
+    pub(super) start: TableStart,
     #[command(flatten)]
     pub(super) step: Step,
     #[command(flatten)]

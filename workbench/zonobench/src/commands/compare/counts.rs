@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use crate::commands::table::counted;
 use experiments::definition::Verdict;
 use experiments::record::{CaseKey, CountOutcome, CountRow};
 
@@ -18,6 +19,8 @@ pub(super) struct Comparison<'a> {
     pub(super) reseeded: usize,
     /// The cases of the same seeds whose records differ, in the order of the first run.
     pub(super) differences: Vec<Difference<'a>>,
+    /// The number of compared cases of each experiment.
+    compared: BTreeMap<&'a str, usize>,
 }
 
 /// A case whose records differ.
@@ -26,6 +29,23 @@ pub(super) struct Difference<'a> {
     key: &'a CaseKey,
     /// The quantities that differ, each with what the first and the second run recorded.
     quantities: Vec<[String; 3]>,
+    /// The sums of all counts in the first and in the second run, where both were measured.
+    operations: Option<[u64; 2]>,
+}
+
+impl Difference<'_> {
+    /// The method and the instance.
+    fn place(&self) -> String {
+        let CaseKey { family, variant, n, instance, .. } = self.key;
+        format!("{variant} on {family}, n = {n}, instance {instance}")
+    }
+
+    /// The method, the instance and what differs.
+    fn in_words(&self) -> String {
+        let quantities: Vec<String> =
+            self.quantities.iter().map(|[name, first, second]| format!("{name} {first}, then {second}")).collect();
+        format!("{}: {}", self.place(), quantities.join("; "))
+    }
 }
 
 impl<'a> Comparison<'a> {
@@ -37,12 +57,94 @@ impl<'a> Comparison<'a> {
         let common = pairs.len();
         let seeds = |row: &'a CountRow| [&row.key.instance_seed, &row.key.seed];
         let (pairs, others): (Vec<_>, Vec<_>) = pairs.into_iter().partition(|(a, b)| seeds(a) == seeds(b));
-        let differing = pairs.into_iter().map(|(a, b)| Difference { key: &a.key, quantities: differing(a, b) });
+        let mut compared = BTreeMap::new();
+        for (row, _) in &pairs {
+            *compared.entry(row.key.experiment.as_str()).or_default() += 1;
+        }
+        let differing = pairs.into_iter().map(|(a, b)| {
+            let operations = operations(a).zip(operations(b)).map(<[u64; 2]>::from);
+            Difference { key: &a.key, quantities: differing(a, b), operations }
+        });
         Self {
             common,
             reseeded: others.len(),
             alone: [first.len() - common, second.len() - common],
             differences: differing.filter(|difference| !difference.quantities.is_empty()).collect(),
+            compared,
+        }
+    }
+
+    /// The experiments with differences, that with the largest ratio first.
+    pub(super) fn by_experiment(&self) -> Vec<OfExperiment<'_>> {
+        let mut found: BTreeMap<&str, Vec<&Difference<'_>>> = BTreeMap::new();
+        for difference in &self.differences {
+            found.entry(&difference.key.experiment).or_default().push(difference);
+        }
+        let compared = |id| self.compared.get(id).copied().unwrap_or_default();
+        let of_one = |(id, differences)| OfExperiment::of(id, compared(id), differences);
+        let mut all: Vec<OfExperiment<'_>> = found.into_iter().map(of_one).collect();
+        all.sort_by(|a, b| b.spread().total_cmp(&a.spread()));
+        all
+    }
+}
+
+/// The cases of an experiment whose records differ.
+#[derive(Debug)]
+pub(super) struct OfExperiment<'a> {
+    id: &'a str,
+    compared: usize,
+    differing: usize,
+    /// The numbers of cases that have more and fewer operations in the second run.
+    more_and_fewer: [usize; 2],
+    /// The number that differs by the largest ratio, with that and its case; none where no two numbers have one.
+    largest: Option<(f64, String)>,
+    /// The first case that differs, in words.
+    first: String,
+}
+
+impl<'a> OfExperiment<'a> {
+    fn of(id: &'a str, compared: usize, differences: Vec<&Difference<'_>>) -> Self {
+        let operations = differences.iter().filter_map(|difference| difference.operations);
+        let mut more_and_fewer = [0; 2];
+        operations.for_each(|[first, second]| {
+            more_and_fewer[0] += usize::from(second > first);
+            more_and_fewer[1] += usize::from(second < first);
+        });
+        let ratios = differences.iter().flat_map(|difference| {
+            let place = difference.place();
+            let ratios = difference.quantities.iter().filter_map(ratio);
+            ratios.map(move |(ratio, name)| (ratio, format!("{name} of {place}")))
+        });
+        let largest = ratios.max_by(|(a, _), (b, _)| spread(*a).total_cmp(&spread(*b)));
+        let first = differences.first().map(|difference| difference.in_words()).unwrap_or_default();
+        Self { id, compared, differing: differences.len(), more_and_fewer, largest, first }
+    }
+
+    /// The distance of the largest ratio from 1, as a factor's logarithm.
+    fn spread(&self) -> f64 {
+        self.largest.as_ref().map_or(0.0, |(ratio, _)| spread(*ratio))
+    }
+}
+
+/// The ratio of the second number of a quantity to the first one, where both are numbers and neither is zero.
+fn ratio([name, first, second]: &[String; 3]) -> Option<(f64, &str)> {
+    let number = |text: &String| text.parse().ok().filter(|number: &f64| *number != 0.0 && number.is_finite());
+    Some((number(second)? / number(first)?, name.as_str())).filter(|_| name != "answer")
+}
+
+fn spread(ratio: f64) -> f64 {
+    libm::log(ratio.abs()).abs()
+}
+
+/// The numbers of cases that are alike and differ, and by what.
+impl fmt::Display for OfExperiment<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { id, compared, differing, more_and_fewer: [more, fewer], .. } = self;
+        let alike = counted(compared - differing, "case", "cases");
+        write!(f, "  {id}: {alike} alike, {differing} not: {more} with more operations, {fewer} with fewer")?;
+        match &self.largest {
+            Some((ratio, of)) => write!(f, "; the largest ratio is {ratio:.4}, {of}"),
+            None => write!(f, "; the first: {}", self.first),
         }
     }
 }
@@ -50,11 +152,15 @@ impl<'a> Comparison<'a> {
 /// The experiment and the instance, and what differs.
 impl fmt::Display for Difference<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let CaseKey { experiment, family, variant, n, instance, .. } = self.key;
-        write!(f, "  {experiment}: {variant} on {family}, n = {n}, instance {instance}: ")?;
-        let quantities: Vec<String> =
-            self.quantities.iter().map(|[name, first, second]| format!("{name} {first}, then {second}")).collect();
-        f.write_str(&quantities.join("; "))
+        write!(f, "  {}: {}", self.key.experiment, self.in_words())
+    }
+}
+
+/// All operations of a case; none if it failed.
+fn operations(row: &CountRow) -> Option<u64> {
+    match &row.outcome {
+        CountOutcome::Measured { counts, .. } => Some(counts.values().sum()),
+        CountOutcome::Failed { .. } => None,
     }
 }
 
@@ -112,6 +218,10 @@ mod tests {
         let told: Vec<String> = comparison.differences.iter().map(Difference::to_string).collect();
         assert_eq!(told, ["  toy: m on disc, n = 16, instance 0: ratio 0.5, then 0.25; turn 40, then 41"]);
         assert!(Comparison::of(&first, &first).differences.is_empty());
+        let summed: Vec<String> = comparison.by_experiment().iter().map(OfExperiment::to_string).collect();
+        let expected = "  toy: 1 case alike, 1 not: 1 with more operations, 0 with fewer; the largest ratio is \
+                        0.5000, ratio of m on disc, n = 16, instance 0";
+        assert_eq!(summed, [expected]);
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Times of two runs: for every method of an experiment the ratio of the second run to the first.
 //!
 //! A case has the ratio of its medians over the repetitions. The ratio of a method is the geometric mean over its
-//! cases, with the 95 % interval of Student's t for the mean of the logarithms: how much single cases scatter. Few
-//! cases of one run share whatever else the machine did, and scatter less than two runs differ: they have no interval.
+//! cases, with the 95 % interval of Student's t for the mean of the logarithms: how much single cases scatter. The
+//! cases of one run share whatever else the machine did, and scatter less than two runs differ: an interval is no
+//! verdict, and few cases have none. An experiment has the geometric mean over all of its methods and cases.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -17,24 +18,32 @@ type Method<'a> = (&'a str, &'a str, &'a str);
 /// The times of one run: for every method the repetitions of each case.
 type Samples<'a> = BTreeMap<Method<'a>, BTreeMap<&'a str, Vec<u64>>>;
 
-/// The ratios as lines of text.
-pub(super) fn text(first: &[TimeRow], second: &[TimeRow]) -> String {
+/// The ratios of the cases of a method, by case.
+type Ratios<'a> = Vec<(&'a str, f64)>;
+
+/// The ratios as text: what they are, and a line for an experiment, or for each of its methods and cases.
+pub(super) fn text(first: &[TimeRow], second: &[TimeRow], with_all: bool) -> (String, Vec<String>) {
     let mut text = String::new();
     let [before, after] = [first, second].map(samples);
     let mut line = |words: String| writeln!(text, "{words}").expect("writing to a string does not fail");
-    let ratios: Vec<(Method<'_>, Vec<f64>)> = before
+    let ratios: Vec<(Method<'_>, Ratios<'_>)> = before
         .iter()
         .filter_map(|(method, cases)| {
             let others = after.get(method)?;
-            let ratios: Vec<f64> = cases.iter().filter_map(|(case, ns)| ratio(others.get(case)?, ns)).collect();
+            let ratios = cases.iter().filter_map(|(case, ns)| Some((*case, ratio(others.get(case)?, ns)?)));
+            let ratios: Ratios<'_> = ratios.collect();
             (!ratios.is_empty()).then_some((*method, ratios))
         })
         .collect();
     if ratios.is_empty() {
         line("times         no time is in both runs".to_owned());
-        return text;
+        return (text, Vec::new());
     }
-    line("times         of the second run as a multiple of the first; 95 % intervals of geometric means".to_owned());
+    line("times         of the second run as a multiple of the first".to_owned());
+    line(
+        "              they depend on the load of the machines, which is not recorded: no ratio is a verdict"
+            .to_owned(),
+    );
     let environments = [first, second].map(|rows| rows.first().map(|row| row.environment.as_str()));
     if environments[0] != environments[1] {
         line("              measured by different programs or on different machines".to_owned());
@@ -43,10 +52,50 @@ pub(super) fn text(first: &[TimeRow], second: &[TimeRow]) -> String {
     if void != [0, 0] {
         line(format!("              {} and {} times are void or failed", void[0], void[1]));
     }
-    for ((experiment, method, lap), ratios) in ratios {
-        line(format!("  {experiment}: {method}, {lap}: {}", mean(&ratios)));
+    if with_all {
+        line("              with the 95 % intervals of geometric means over cases".to_owned());
+        (text, ratios.iter().flat_map(by_case).collect())
+    } else {
+        (text, by_experiment(&ratios))
     }
-    text
+}
+
+/// A line for a method, and one for each of its cases.
+fn by_case(((experiment, method, lap), ratios): &(Method<'_>, Ratios<'_>)) -> Vec<String> {
+    let alone: Vec<f64> = ratios.iter().map(|(_, ratio)| *ratio).collect();
+    let of_cases = ratios.iter().map(|(case, ratio)| format!("    {case}, {lap}: {ratio:.3}"));
+    std::iter::once(format!("  {experiment}: {method}, {lap}: {}", mean(&alone))).chain(of_cases).collect()
+}
+
+/// A line for each experiment, that with the ratio farthest from 1 first.
+fn by_experiment(ratios: &[(Method<'_>, Ratios<'_>)]) -> Vec<String> {
+    let mut experiments: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+    for ((experiment, ..), ratios) in ratios {
+        experiments.entry(experiment).or_default().extend(ratios.iter().map(|(_, ratio)| *ratio));
+    }
+    let mut lines: Vec<(f64, String)> = experiments
+        .into_iter()
+        .map(|(experiment, ratios)| {
+            let logarithms: Vec<f64> = ratios.iter().map(|&ratio| libm::log(ratio)).collect();
+            let middle = logarithms.iter().sum::<f64>() / logarithms.len() as f64;
+            let [least, greatest] = range(&ratios);
+            let shorter = ratios.iter().filter(|&&ratio| ratio < 1.0).count();
+            let longer = ratios.iter().filter(|&&ratio| ratio > 1.0).count();
+            let average = libm::exp(middle);
+            let words = format!(
+                "  {experiment}: {average:.3} on average, from {least:.3} to {greatest:.3}; {shorter} shorter, \
+                 {longer} longer"
+            );
+            (middle.abs(), words)
+        })
+        .collect();
+    lines.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    lines.into_iter().map(|(_, words)| words).collect()
+}
+
+/// The least and the greatest ratio.
+fn range(ratios: &[f64]) -> [f64; 2] {
+    [ratios.iter().copied().fold(f64::INFINITY, f64::min), ratios.iter().copied().fold(0.0, f64::max)]
 }
 
 fn is_valid(row: &TimeRow) -> bool {
@@ -84,8 +133,7 @@ fn mean(ratios: &[f64]) -> String {
         return format!("{value:.3}, one case: too few to tell a change");
     }
     if ratios.len() < CASES_WITH_INTERVAL {
-        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
-        let greatest = ratios.iter().copied().fold(0.0, f64::max);
+        let [least, greatest] = range(ratios);
         return format!("{value:.3}, {count} cases from {least:.3} to {greatest:.3}: too few to tell a change");
     }
     let freedom = ratios.len() - 1;
@@ -110,14 +158,16 @@ mod tests {
     fn ratios_are_those_of_medians() {
         let first = [row(4, 0, 100), row(4, 1, 300), row(4, 2, 110), row(8, 0, 200)];
         let second = [row(4, 0, 220), row(8, 0, 400), row(16, 0, 1)];
-        let told = text(&first, &second);
-        assert!(
-            told.ends_with("  toy: m, total: 2.000, 2 cases from 2.000 to 2.000: too few to tell a change\n"),
-            "{told}"
-        );
-        let told = text(&first, &second[..1]);
-        assert!(told.ends_with("  toy: m, total: 2.000, one case: too few to tell a change\n"), "{told}");
-        assert!(text(&first, &second[2..]).contains("no time is in both runs"));
+        let told = text(&first, &second, true).1;
+        let cases = ["    toy/disc/m/n=4/0, total: 2.000", "    toy/disc/m/n=8/0, total: 2.000"];
+        let method = "  toy: m, total: 2.000, 2 cases from 2.000 to 2.000: too few to tell a change";
+        assert_eq!(told, [method, cases[0], cases[1]]);
+        let told = text(&first, &second[..1], true).1;
+        assert_eq!(told, ["  toy: m, total: 2.000, one case: too few to tell a change", cases[0]]);
+        let (head, told) = text(&first, &second, false);
+        assert_eq!(told, ["  toy: 2.000 on average, from 2.000 to 2.000; 0 shorter, 2 longer"]);
+        assert!(head.contains("no ratio is a verdict\n"), "{head}");
+        assert!(text(&first, &second[2..], false).0.contains("no time is in both runs"));
     }
 
     /// Logarithms of 1, 1, 2, 4 and 4: their mean is that of 2, their variance that logarithm's square, and the

@@ -32,13 +32,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let names = [&options.a, &options.b];
     let formats = [options.format, options.placing_of_b.format(options.format)];
+    let skips = [options.start.told(), options.placing_of_b.skip(options.start.told())];
     let files = [
-        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
-        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+        placings[0].read(names[0], formats[0], skips[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], skips[1], OptionNames::OF_SECOND)?,
     ];
     let request = record(About::Distance, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=3)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let questions = bodies.each_ref().map(Placed::question);
     let asked = Asked::of(About::Distance.question(&name, &questions, None, None))?;

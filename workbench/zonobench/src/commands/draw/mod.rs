@@ -31,8 +31,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         _ if shows_body(options) => of_body(options, &name)?,
         _ => (of_points(options, &name)?, String::new()),
     };
-    outputs.write(&options.svg, svg.as_bytes())?;
-    outputs.tell(&format!("{} of {name} in {}\n{more}", options.what, options.svg.display()))?;
+    let told = format!("{} of {name} in {}\n{more}", options.what, options.svg.display());
+    outputs.finish_one(&options.svg, svg.as_bytes(), &told)?;
     Ok(Ending::Good)
 }
 
@@ -57,15 +57,6 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
     if shows_body(options) {
         if options.reading.columns.is_some() {
             return Err(Usage::not_applicable("--columns", "the rows of a zonotope are read whole"));
-        }
-        if options.reading.skip.is_some() {
-            return Err(Usage::not_applicable("--skip", "no lines of a zonotope are left out"));
-        }
-        if options.reading.no_header {
-            return Err(Usage::not_applicable(
-                "--no-header",
-                "a first row of generators that may be data is read as data",
-            ));
         }
         if options.reading.skip_nan {
             return Err(Usage::not_applicable("--skip-nan", "no generators of a zonotope are left out"));
@@ -95,7 +86,8 @@ fn check_motion(options: &Options) -> Result<(), Usage> {
 
 /// The picture, and what is to be said of the body's pose.
 fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
-    let placed = options.placing.read(&options.file, options.reading.format, OptionNames::OF_FIRST)?.placed;
+    let (format, skip) = (options.reading.format, options.reading.told_skip());
+    let placed = options.placing.read(&options.file, format, skip, OptionNames::OF_FIRST)?.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let mut more = placed.pose.as_ref().map(|pose| format!("pose: {}\n", in_words(pose))).unwrap_or_default();
     if off > 0.0 {

@@ -20,8 +20,8 @@ use crate::input::{OptionNames, RoundedBody};
 
 /// The picture, and what is to be said of the bodies' poses.
 pub(super) fn picture(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
-    let format = options.reading.format;
-    let of_a = options.placing.read(&options.file, format, OptionNames::OF_FIRST)?;
+    let (format, skip) = (options.reading.format, options.reading.told_skip());
+    let of_a = options.placing.read(&options.file, format, skip, OptionNames::OF_FIRST)?;
     let (a, mut more) = body(&options.file, of_a)?;
     let motions = options.step.motion()?;
     let of_a = motion(&motions["a"], "the motion")?;
@@ -30,7 +30,9 @@ pub(super) fn picture(options: &Options, name: &str) -> anyhow::Result<(String, 
         return Ok((moving::swept(name, &a, &of_a, &volume).with_context(|| name.to_owned())?, more));
     };
     let placing = options.placing_of_b.placing();
-    let (b, of_pose) = body(file, placing.read(file, options.placing_of_b.format(format), OptionNames::OF_SECOND)?)?;
+    let of_second = (options.placing_of_b.format(format), options.placing_of_b.skip(skip));
+    let read = placing.read(file, of_second.0, of_second.1, OptionNames::OF_SECOND)?;
+    let (b, of_pose) = body(file, read)?;
     more.push_str(&of_pose);
     let of_b = motion(&motions["b"], "the motion of the second body")?;
     let (bodies, moves) = ([&a, &b], [&of_a, &of_b]);

@@ -86,7 +86,8 @@ fn summary(
         table.row("length", format!("{}, the sum of the half-lengths", figure(length)));
         let of_all = if directions.is_some() { "along these directions" } else { "around the points" };
         table.row("lower bound", format!("{}, for every zonotope {of_all}", lower_bound(bound)));
-        let ratio = if length == bound { 1.0 } else { length / bound };
+        // A quotient is rounded to nearest, and this bounds from above.
+        let ratio = if length == bound { 1.0 } else { (length / bound).next_up() };
         let is_short = result["within_epsilon"].as_bool() == Some(false);
         let is_asked = |name: &str| question.field("input").is_some_and(|input| input.field(name).is_some());
         let above = match is_short {
@@ -96,10 +97,10 @@ fn summary(
             true => "; above 1 + epsilon: the search ended before",
         };
         let is_checked = match verdict {
-            Verdict::Right(_) => "proven: none is shorter by more",
-            _ => "by the lower bound of the answer",
+            Verdict::Right(_) => ": proven, none is shorter by more",
+            _ => ", which the answer states",
         };
-        table.row("ratio", format!("{}, {is_checked}{above}", factor_at_most(ratio)));
+        table.row("ratio", format!("{}, of length to lower bound{is_checked}{above}", factor_at_most(ratio)));
         if let Some(volume) = result["volume"].as_f64() {
             let minimum = match volume {
                 0.0 => "the least that there is: the zonotope is flat",
@@ -115,7 +116,7 @@ fn summary(
         table.row("outcome", "no zonotope along these directions contains the points".to_owned());
     }
     let certificate = match verdict {
-        Verdict::Right(proved) => format!("checked, exactly: {}", with_six_digits(proved)),
+        Verdict::Right(proved) => format!("checked, exactly: {}", with_six_digits(&without_ratio(proved))),
         Verdict::Unchecked(reason) => format!("not all was checked: {}", with_six_digits(reason)),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };
@@ -123,4 +124,34 @@ fn summary(
     table.row("method", answer["method"].as_str().unwrap_or_default().to_owned());
     table.row("verify", verification(options));
     table.text()
+}
+
+/// The sentence of the verifier on a length, which says in its own digits how far above the least it is at most: the
+/// summary has a row for that.
+fn without_ratio(proved: &str) -> String {
+    let is_on_length = |clause: &str| clause.starts_with("length ") || clause.starts_with("value ");
+    let told = |clause| if is_on_length(clause) { "length and lower bound" } else { clause };
+    proved.split("; ").map(told).collect::<Vec<_>>().join("; ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ratio_has_one_place() {
+        for (proved, shown) in [
+            (
+                "contains all 5 points; length 2.5, proven to be at most 1.00106 times the least; volume 5.2, not \
+                 proven to be the least",
+                "contains all 5 points; length and lower bound; volume 5.2, not proven to be the least",
+            ),
+            (
+                "contains all 3 points; value 2.0 is within 3.8e-15 of the proven bound",
+                "contains all 3 points; length and lower bound",
+            ),
+        ] {
+            assert_eq!(without_ratio(proved), shown);
+        }
+    }
 }

@@ -11,12 +11,11 @@ pub use self::options::Options;
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
-use super::asked::{About, Asked, record};
+use super::asked::{About, Asked, check_taken, record};
 use super::usage::question_name;
 use super::usage::{check_inputs, check_names, tell};
 use crate::input::{OptionNames, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
-use anyhow::bail;
 use batch::MAX_DIMENSION;
 use batch::Verdict;
 
@@ -35,9 +34,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
+    let file = options.placing.read(&options.file, options.format, options.start.told(), OptionNames::OF_FIRST)?;
     let request = record(About::Inspect, &[&file], None, None);
     let placed = file.placed;
+    check_taken(&options.file, &placed, 1..=MAX_DIMENSION)?;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&placed, &body),
@@ -45,8 +45,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         3 => Measures::of::<3>(&placed, &body),
         4 => Measures::of::<4>(&placed, &body),
         5 => Measures::of::<5>(&placed, &body),
-        6 => Measures::of::<6>(&placed, &body),
-        other => bail!("{}: {other} dimensions; 1 to {MAX_DIMENSION} are taken", options.file.display()),
+        _ => Measures::of::<6>(&placed, &body),
     };
 
     let name = question_name(&options.file);

@@ -2,7 +2,7 @@
 
 use super::super::asked::body_formats;
 use super::super::mesh_files::MeshFiles;
-use super::super::placing::Placing;
+use super::super::placing::{Placing, TableStart};
 use crate::input::Format;
 use clap::Args;
 use std::path::PathBuf;
@@ -18,6 +18,8 @@ pub struct Options {
     /// The format, where the extension does not tell it.
     #[arg(long, value_parser = body_formats())]
     pub(super) format: Option<Format>,
+    #[command(flatten)]
+    pub(super) start: TableStart,
     #[command(flatten)]
     pub(super) placing: Placing,
     /// Write a picture of the body.

@@ -14,6 +14,7 @@ use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
 use crate::input::OptionNames;
 use crate::output::{Existing, Outputs, Results};
+use batch::MAX_DIMENSION;
 use batch::Verdict;
 
 /// Reads, solves, checks, and prints the answer with its proof.
@@ -30,13 +31,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let names = [&options.a, &options.b];
     let formats = [options.format, options.placing_of_b.format(options.format)];
+    let skips = [options.start.told(), options.placing_of_b.skip(options.start.told())];
     let files = [
-        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
-        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+        placings[0].read(names[0], formats[0], skips[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], skips[1], OptionNames::OF_SECOND)?,
     ];
     let request = record(About::Intersect, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
-    check_dimensions(names, &bodies)?;
+    check_dimensions(names, &bodies, 1..=MAX_DIMENSION)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let meeting = Meeting::of(&name, names, bodies)?;
     let verdict = meeting.asked.verdict();

@@ -1,7 +1,7 @@
 //! The options of the command `intersect`.
 
 use super::super::asked::body_formats;
-use super::super::placing::{Placing, PlacingOfSecond};
+use super::super::placing::{Placing, PlacingOfSecond, TableStart};
 use crate::input::Format;
 use clap::Args;
 use std::path::PathBuf;
@@ -19,6 +19,8 @@ pub struct Options {
     /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
     #[arg(long, value_parser = body_formats())]
     pub(super) format: Option<Format>,
+    #[command(flatten)]
+    pub(super) start: TableStart,
     #[command(flatten)]
     pub(super) placing: Placing,
     #[command(flatten)]

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{anyhow, bail};
+use anyhow::bail;
 use batch::json::vector_to_json;
 use batch::placement::{Placement, nearest};
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ use super::faces::triangles_of;
 use crate::commands::asked::floats;
 use crate::commands::table::counted;
 use crate::commands::usage::{read_telling, tell};
-use crate::input::{Format, PointSource, Points, Wanted};
+use crate::input::{Format, Place, PointSource, Points, Problem, Wanted};
 
 /// A mesh that was read.
 pub(in crate::commands) struct Read {
@@ -30,12 +30,18 @@ impl Read {
         pose: Option<Placement>,
     ) -> anyhow::Result<Self> {
         let source = PointSource { format, ..PointSource::of_file(file.to_path_buf()) };
-        let reading = read_telling(&source, Wanted::Any)?;
+        let no_triangles = source.known_format().filter(|format| !format.is_mesh());
+        let reading = match (read_telling(&source, Wanted::Any), no_triangles) {
+            (Err(error), Some(_)) if error.problem.is_of_file() => return Err(error.into()),
+            (_, Some(format)) => return Err(Problem::NoTriangles(format.to_string()).at(file, Place::File).into()),
+            (reading, None) => reading?,
+        };
         if let Some(remarks) = reading.remarks() {
             tell(&format!("{}: {remarks}", file.display()));
         }
         let Points::Space(vertices) = &reading.points else {
-            bail!("{}: holds no mesh of space", file.display());
+            let coordinates = counted(reading.points.dimension(), "coordinate", "coordinates");
+            bail!("{}: holds vertices with {coordinates}; meshes of space, with three, are taken", file.display());
         };
         let mut overlapping = 0_usize;
         let mut cut = |face: &[usize]| {
@@ -51,7 +57,7 @@ impl Read {
             tell(&format!("{}: {faces} cut into triangles from the first corner, {why}", file.display()));
         }
         if triangles.is_empty() {
-            return Err(anyhow!("{}: holds no faces, only points", file.display()));
+            return Err(Problem::NoFaces.at(file, Place::File).into());
         }
         let vertices: Vec<Value> = vertices.iter().map(|vertex| vector_to_json(vertex)).collect();
         let mut question = json!({"vertices": vertices, "triangles": triangles});

@@ -2,6 +2,7 @@
 
 mod motion;
 mod pose_file;
+mod start;
 
 use std::path::{Path, PathBuf};
 
@@ -9,6 +10,8 @@ use anyhow::anyhow;
 use clap::Args;
 
 pub(super) use self::motion::{Shift, Turn, radians_of};
+pub use self::start::TableStart;
+pub(super) use self::start::told;
 use super::asked::{BodyFile, body_formats};
 use super::table::{ROUNDED, Table, counted, figure, in_full, position};
 use super::usage::tell;
@@ -61,12 +64,23 @@ pub struct PlacingOfSecond {
     /// The format of the second file, where it is another than that of the first.
     #[arg(long, value_name = "FORMAT", value_parser = body_formats())]
     format_b: Option<Format>,
+    /// The number of lines of the second table to leave out at its start.
+    #[arg(long, value_name = "N")]
+    skip_b: Option<u64>,
+    /// The first line of the second table, behind those that are left out, holds data.
+    #[arg(long)]
+    no_header_b: bool,
 }
 
 impl PlacingOfSecond {
     /// The format of the second file: its own, or that of both.
     pub(super) fn format(&self, of_both: Option<Format>) -> Option<Format> {
         self.format_b.or(of_both)
+    }
+
+    /// The number of lines that are left out of the second table: its own, or that of both.
+    pub(super) fn skip(&self, of_both: Option<u64>) -> Option<u64> {
+        told(self.skip_b, self.no_header_b).or(of_both)
     }
 
     /// The name of an option that is given, if there is one.
@@ -78,6 +92,8 @@ impl PlacingOfSecond {
             (self.columns_are_generators_b, "--columns-are-generators-b"),
             (self.center_first_b, "--center-first-b"),
             (self.format_b.is_some(), "--format-b"),
+            (self.skip_b.is_some(), "--skip-b"),
+            (self.no_header_b, "--no-header-b"),
         ];
         given.into_iter().find(|(is_given, _)| *is_given).map(|(_, name)| name)
     }
@@ -114,8 +130,16 @@ impl Placing {
 
     /// Reads the body, and puts it where its file and the options say: first the pose of its file, then that of the
     /// option, then the turn, then the move.
-    pub(super) fn read(&self, file: &Path, format: Option<Format>, options: OptionNames) -> anyhow::Result<BodyFile> {
-        let layout = Layout { columns_are_generators: self.columns_are_generators, center_first: self.center_first };
+    pub(super) fn read(
+        &self,
+        file: &Path,
+        format: Option<Format>,
+        skip: Option<u64>,
+        options: OptionNames,
+    ) -> anyhow::Result<BodyFile> {
+        start::check(skip, format, file, options.skip)?;
+        let Self { columns_are_generators, center_first, .. } = *self;
+        let layout = Layout { columns_are_generators, center_first, skip };
         let (mut placed, origin) = BodySource { file: file.to_path_buf(), format, layout, options }.read(tell)?;
         placed.pose = self.after(placed.pose.take(), placed.dimension(), file, options)?;
         Ok(BodyFile { placed, origin, layout })

@@ -12,7 +12,7 @@ use super::usage::check_names;
 use crate::output::{Existing, Outputs};
 
 pub use self::reading::RecordsError;
-pub(super) use self::reading::{Run, RunRecords};
+pub(super) use self::reading::RunRecords;
 
 /// Options of `records`.
 #[derive(Debug, Args)]
@@ -48,7 +48,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked([&export.csv], &inputs, Existing::from_force(export.force))?;
     let RunRecords { counts, times, .. } = RunRecords::read(&export.run)?;
     let table = table::csv(&counts, &times)?;
-    outputs.write(&export.csv, &table)?;
-    outputs.tell(&format!("{} runs counted, {} times, in {}\n", counts.len(), times.len(), export.csv.display()))?;
+    let told = format!("{} runs counted, {} times, in {}\n", counts.len(), times.len(), export.csv.display());
+    outputs.finish_one(&export.csv, &table, &told)?;
     Ok(Ending::Good)
 }

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use experiments::environment::Environment;
 use experiments::record::{CountRow, TimeRow};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -43,6 +44,8 @@ pub(in crate::commands) struct RunRecords {
     pub(in crate::commands) times: Vec<TimeRow>,
     /// The description of the run; an interrupted one does not say.
     pub(in crate::commands) run: Option<Run>,
+    /// The machine and the program, where the folder tells them.
+    pub(in crate::commands) environment: Option<Environment>,
 }
 
 /// The description of a run, as its manifest has it.
@@ -52,6 +55,12 @@ pub(in crate::commands) struct Run {
     pub(in crate::commands) profile: String,
 }
 
+/// The file of the environment.
+#[derive(Deserialize)]
+struct Named {
+    environment: Environment,
+}
+
 impl RunRecords {
     /// The files that hold the records of a run in its folder.
     pub(in crate::commands) fn files(run: &Path) -> [PathBuf; 2] {
@@ -59,14 +68,17 @@ impl RunRecords {
     }
 
     /// The records of a run in its folder.
-    pub(in crate::commands) fn read(run: &Path) -> Result<Self, RecordsError> {
-        let [counts, times] = Self::files(run);
+    pub(in crate::commands) fn read(run_folder: &Path) -> Result<Self, RecordsError> {
+        let [counts, times] = Self::files(run_folder);
         if !counts.is_file() && !times.is_file() {
-            return Err(RecordsError::NoRun(run.to_path_buf()));
+            return Err(RecordsError::NoRun(run_folder.to_path_buf()));
         }
-        let manifest = fs::read_to_string(run.join(MANIFEST)).ok();
+        let manifest = fs::read_to_string(run_folder.join(MANIFEST)).ok();
         let run = manifest.and_then(|manifest| serde_json::from_str(&manifest).ok());
-        Ok(Self { counts: rows(&counts)?, times: rows(&times)?, run })
+        let environment = fs::read_to_string(run_folder.join("records/environment.json")).ok();
+        let environment = environment.and_then(|text| serde_json::from_str::<Named>(&text).ok());
+        let environment = environment.map(|named| named.environment);
+        Ok(Self { counts: rows(&counts)?, times: rows(&times)?, run, environment })
     }
 }
 

@@ -9,14 +9,14 @@ use clap::builder::PossibleValuesParser;
 use serde_json::Value;
 
 use super::Ending;
-use super::asked::{About, Asked, body_formats, float, floats, how_to_verify, record, zonotope_of};
-use super::placing::{Placing, describe, rounded_in_words};
+use super::asked::{About, Asked, body_formats, check_taken, float, floats, how_to_verify, record, zonotope_of};
+use super::placing::{Placing, TableStart, describe, rounded_in_words};
 use super::table::{Table, at_least, at_most, counted, figure, with_six_digits};
 use super::usage::question_name;
 use super::usage::{check_inputs, check_names};
 use crate::input::{Body, Format, OptionNames, Placed, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
-use batch::Verdict;
+use batch::{MAX_DIMENSION, Verdict};
 use zonotope::Zonotope;
 use zonotope::reduction::Method;
 
@@ -37,6 +37,8 @@ pub struct Options {
     /// The format, where the extension does not tell it.
     #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
+    #[command(flatten)]
+    start: TableStart,
     #[command(flatten)]
     placing: Placing,
     /// Write a picture of both bodies.
@@ -68,10 +70,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
+    let file = options.placing.read(&options.file, options.format, options.start.told(), OptionNames::OF_FIRST)?;
     let reduction = Some((options.count, options.rule.as_str()));
     let request = record(About::Reduce, &[&file], None, reduction);
     let placed = file.placed;
+    check_taken(&options.file, &placed, 1..=MAX_DIMENSION)?;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let name = question_name(&options.file);
     let asked = Asked::of(About::Reduce.question(&name, &[zonotope_of(&body)], None, reduction))?;

@@ -55,7 +55,7 @@ impl Folder {
         if !force && !is_empty && !unfinished.exists() {
             return Err(FolderError::NotEmpty(path.to_path_buf()));
         }
-        let lock = File::options().create(true).append(true).open(&unfinished).map_err(unusable(path))?;
+        let lock = File::options().create(true).append(true).open(&unfinished).map_err(unusable(&unfinished))?;
         match lock.try_lock() {
             // A run that ended just now has taken the file away: its folder is finished.
             Ok(()) if unfinished.exists() => {}
@@ -63,8 +63,9 @@ impl Folder {
             Err(TryLockError::Error(error)) => return Err(unusable(&unfinished)(error)),
         }
         // A folder that has a manifest is complete: from here on it is not.
-        match fs::remove_file(path.join(MANIFEST)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(unusable(path)(error)),
+        let manifest = path.join(MANIFEST);
+        match fs::remove_file(&manifest) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(unusable(&manifest)(error)),
             _ => {}
         }
         Ok(Self { path: path.to_path_buf(), _lock: lock })
@@ -81,7 +82,8 @@ impl Folder {
             .into_iter()
             .map(|(name, deterministic)| {
                 let path = format!("{RECORDS}/{name}");
-                let content = fs::read(self.path.join(&path)).map_err(unusable(Path::new(&path)))?;
+                let file = self.path.join(&path);
+                let content = fs::read(&file).map_err(unusable(&file))?;
                 Ok(OutputFile::new(path, &content, deterministic))
             })
             .collect()
@@ -89,7 +91,8 @@ impl Folder {
 
     /// The run is complete.
     pub(super) fn release(self) -> Result<(), FolderError> {
-        fs::remove_file(self.path.join(UNFINISHED)).map_err(unusable(&self.path))
+        let unfinished = self.path.join(UNFINISHED);
+        fs::remove_file(&unfinished).map_err(unusable(&unfinished))
     }
 }
 

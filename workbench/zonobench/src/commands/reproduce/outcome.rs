@@ -1,6 +1,6 @@
 //! The outcome of a run: growth laws, figures and claims from its records, and the folder that holds all of them.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 
 use experiments::findings;
@@ -18,6 +18,7 @@ use crate::commands::records::table;
 use crate::output::{Existing, write_whole};
 use crate::progress::Progress;
 use crate::report::{self, Evidence, MANIFEST, Manifest, OutputFile};
+use crate::standard_output::StandardOutput;
 
 /// Finds what the records show, writes it into the folder, and tells it.
 pub(super) fn write(out: &Path, plan: Plan, folder: Folder, records: Records) -> anyhow::Result<Ending> {
@@ -92,7 +93,7 @@ fn write_all(out: &Path, folder: Folder, evidence: &Evidence) -> anyhow::Result<
 fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> {
     let faults = evidence.records.counts.iter().filter_map(|row| Some((row, row.fault()?)));
     let missing = evidence.figures.iter().filter_map(|figure| Some((figure.figure.id, figure.drawing.as_ref().err()?)));
-    let mut output = io::stdout().lock();
+    let mut output = StandardOutput::open()?;
     writeln!(output, "{} runs counted, {} times kept", evidence.records.counts.len(), evidence.records.times.len())?;
     writeln!(output, "{} figures drawn", evidence.figures.iter().filter(|figure| figure.drawing.is_ok()).count())?;
     let findings = if evidence.claims.is_empty() { &[][..] } else { &Finding::ALL[..] };
@@ -131,6 +132,7 @@ fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> 
     if let Some(out) = out {
         writeln!(output, "{}", out.join("report.html").display())?;
     }
+    output.finish()?;
     Ok(ending)
 }
 

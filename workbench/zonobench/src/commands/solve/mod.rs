@@ -2,7 +2,7 @@
 
 mod shard;
 
-use std::io::{self, BufRead, BufWriter, Write};
+use std::io::{self, BufRead, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
@@ -15,8 +15,8 @@ use super::table::counted;
 use super::usage::{tell, tell_losses};
 use super::{Ending, open};
 use crate::lines::Lines;
-use crate::output::check_standard_output;
 use crate::progress::Progress;
+use crate::standard_output::StandardOutput;
 use batch::MAX_LINE_BYTES;
 
 /// Options of `solve`.
@@ -46,17 +46,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         let refused = shard::run(file, out, shard, options.seed)?;
         return Ok(ending(refused, options.strict));
     }
-    check_standard_output().context("the answers cannot be written")?;
+    let output = StandardOutput::open().context("the answers cannot be written")?;
     let name = options.file.as_ref().map_or("standard input".to_owned(), |file| file.display().to_string());
     let source = open(options.file.as_deref())?;
     let progress = Progress::counting("questions");
-    let refused =
-        answer_all(source, BufWriter::new(io::stdout().lock()), options.seed, || progress.step()).map_err(|error| {
-            match error {
-                BatchError::Read(error) => anyhow::Error::new(error).context(format!("{name}: cannot be read")),
-                BatchError::Write(error) => error.into(),
-            }
-        })?;
+    let refused = answer_all(source, output, options.seed, || progress.step()).map_err(|error| match error {
+        BatchError::Read(error) => anyhow::Error::new(error).context(format!("{name}: cannot be read")),
+        BatchError::Write(error) => anyhow::Error::new(error).context("the answers cannot be written"),
+    })?;
     Ok(ending(refused, options.strict))
 }
 

@@ -6,7 +6,7 @@ mod summary;
 pub use self::options::Options;
 
 use super::Ending;
-use super::asked::{About, Asked, floats, record, zonotope_of};
+use super::asked::{About, Asked, check_taken, floats, record, zonotope_of};
 use super::usage::{Usage, check_inputs, check_names, question_name};
 use crate::input::{Body, OptionNames, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
@@ -24,9 +24,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_names(&options.meshes.named())?;
     let outputs = options.json.iter().chain(&options.question).chain(options.meshes.files());
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
+    let file = options.placing.read(&options.file, options.format, options.start.told(), OptionNames::OF_FIRST)?;
     let mut request = record(About::Sweep, &[&file], None, None);
     let placed = file.placed;
+    check_taken(&options.file, &placed, 3..=3)?;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let motion = options.motion.sweep()?;
     let name = question_name(&options.file);

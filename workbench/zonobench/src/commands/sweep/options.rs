@@ -9,7 +9,7 @@ use zonotope::motion::space_time::Method;
 use crate::commands::asked::body_formats;
 use crate::commands::mesh_files::MeshFiles;
 use crate::commands::motion::MotionOptions;
-use crate::commands::placing::Placing;
+use crate::commands::placing::{Placing, TableStart};
 use crate::input::Format;
 
 /// Options of `sweep`.
@@ -28,6 +28,8 @@ pub struct Options {
     /// The format, where the extension does not tell it.
     #[arg(long, value_parser = body_formats())]
     pub(super) format: Option<Format>,
+    #[command(flatten)]
+    pub(super) start: TableStart,
     #[command(flatten)]
     pub(super) placing: Placing,
     #[command(flatten)]

@@ -65,8 +65,13 @@ fn check_options(asking: &Asking, about: About) -> Result<(), Usage> {
     if let Some(option) = asking.goal() {
         return Err(Usage::not_applicable(option, "the answer is about bodies, not around points"));
     }
-    let PointOptions { columns, skip, skip_nan, .. } = &asking.points;
-    let given = [("--columns", columns.is_some()), ("--skip", skip.is_some()), ("--skip-nan", *skip_nan)];
+    let PointOptions { columns, skip, no_header, skip_nan, .. } = &asking.points;
+    let given = [
+        ("--columns", columns.is_some()),
+        ("--skip", skip.is_some()),
+        ("--no-header", *no_header),
+        ("--skip-nan", *skip_nan),
+    ];
     match given.into_iter().find(|(_, is_given)| *is_given && about != About::Contains) {
         Some((option, _)) => Err(Usage::not_applicable(option, "the answer is about bodies alone")),
         None => Ok(()),

@@ -5,7 +5,7 @@ mod bodies;
 mod data;
 mod documents;
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -18,6 +18,7 @@ use super::asking::Asking;
 use super::table::counted;
 use super::usage::{Usage, check_inputs, question_name};
 use crate::input::on_one_line;
+use crate::standard_output::{StandardOutput, check_standard_output};
 use batch::json::Tree;
 use batch::{Verdict, check, check_unread};
 
@@ -48,6 +49,7 @@ pub struct Options {
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let Options { files, asking } = options;
     check_inputs(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
+    check_standard_output()?;
     let Some((answers, files)) = files.split_last() else { return Ok(Ending::Bad) };
     let mut answers = Documents::of(answers)?;
     if !answers.begin_with(Sort::Answer)? {
@@ -59,7 +61,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         }
         return of_questions(&files[0], answers);
     };
-    let mut output = BufWriter::new(io::stdout().lock());
+    let mut output = StandardOutput::open()?;
     let (verdict, ending) = match answers.next().transpose()? {
         Some(Some(answer)) => about_data.judge(&answer),
         _ => (Verdict::Wrong("the answer is not JSON".to_owned()), Ending::Bad),
@@ -70,14 +72,13 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     if others > 0 {
         writeln!(output, "-\t-\tWRONG\t{} answers to 1 question", others + 1)?;
     }
-    output.flush()?;
+    output.finish()?;
     Ok(if others > 0 { Ending::Bad } else { ending })
 }
 
 /// Says in one line why nothing can be judged.
 fn nothing_judged(reason: &str) -> anyhow::Result<Ending> {
-    let mut output = io::stdout().lock();
-    writeln!(output, "-\t-\tunchecked\t{}", on_one_line(reason))?;
+    StandardOutput::print(format!("-\t-\tunchecked\t{}\n", on_one_line(reason)).as_bytes())?;
     Ok(Ending::Bad)
 }
 
@@ -156,7 +157,7 @@ fn of_questions(questions: &Path, mut answers: Documents) -> anyhow::Result<Endi
     if let Some(reason) = no_questions(&mut questions)? {
         return nothing_judged(&reason);
     }
-    let mut output = BufWriter::new(io::stdout().lock());
+    let mut output = StandardOutput::open()?;
     let (mut asked, mut of_others, mut is_good) = (0_u64, 0_u64, true);
     for question in questions {
         asked += 1;
@@ -187,7 +188,7 @@ fn of_questions(questions: &Path, mut answers: Documents) -> anyhow::Result<Endi
     if asked > 1 && of_others == asked {
         writeln!(output, "-\t-\tWRONG\tno answer has the id of its question, so they are not of one run")?;
     }
-    output.flush()?;
+    output.finish()?;
     Ok(if is_good { Ending::Good } else { Ending::Bad })
 }
 

@@ -27,7 +27,7 @@ pub(super) fn placed(
         let body = layout.body(file, (&[], Place::File), vectors(file, document, "")?, options, tell)?;
         return Ok(Placed { body, pose: None });
     }
-    if layout != Layout::default() {
+    if !layout.is_plain() {
         let problem = format!(
             "is an object, whose fields say what its vectors are; {} and {} are for tables, arrays and lists",
             options.columns_are_generators, options.center_first

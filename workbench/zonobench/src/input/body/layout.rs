@@ -14,9 +14,16 @@ pub struct Layout {
     pub columns_are_generators: bool,
     /// Whether the first vector is the centre.
     pub center_first: bool,
+    /// The number of lines that are left out at the start of a table; told from its cells if absent.
+    pub skip: Option<u64>,
 }
 
 impl Layout {
+    /// Whether nothing is said of the vectors.
+    pub(super) fn is_plain(self) -> bool {
+        !self.columns_are_generators && !self.center_first
+    }
+
     /// The order of named columns: whether they are coordinates or vectors.
     pub(super) fn order(self) -> Order {
         if self.columns_are_generators { Order::AsTheyStand } else { Order::Coordinates }
@@ -33,7 +40,7 @@ impl Layout {
         tell: &mut dyn FnMut(&str),
     ) -> Result<Body, InputError> {
         let named = Named::of(names);
-        let is_default = self == Self::default();
+        let is_default = self.is_plain();
         if let (true, Named::AmongOthers(index)) = (is_default, named) {
             let problem = format!(
                 "the column '{}' is named as a centre or a generator, but not all others are named as generators, g1, \
@@ -159,7 +166,7 @@ mod tests {
 
     #[test]
     fn options_say_which_vectors_are_meant() {
-        let columns = Layout { columns_are_generators: true, center_first: false };
+        let columns = Layout { columns_are_generators: true, ..Layout::default() };
         let both = Layout { center_first: true, ..columns };
         let rows = Layout { center_first: true, ..Layout::default() };
         let meant = body(&[10.0, 0.0], &[&[1.0, 0.0], &[0.0, 1.0]]);

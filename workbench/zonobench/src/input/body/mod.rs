@@ -94,7 +94,8 @@ impl BodySource {
         let file = &self.file;
         match format {
             Format::Csv => {
-                let rows = table::rows(file, content, self.layout.order())?;
+                let rows = table::rows(file, content, self.layout.order(), self.layout.skip);
+                let rows = rows.map_err(|error| self.with_option(error))?;
                 rows.notes.iter().for_each(|note| tell(note));
                 if let Some(center) = self.called_center(&rows)? {
                     tell(&format!("row {} of numbers is read as the centre, as it is called", center + 1));
@@ -103,7 +104,7 @@ impl BodySource {
                     return Ok(Placed { body: body(file, Some(center), generators)?, pose: None });
                 }
                 self.refuse_comment_on_center(&rows)?;
-                if rows.are_named_as_points() && self.layout == Layout::default() {
+                if rows.are_named_as_points() && self.layout.is_plain() {
                     let names = rows.names.join(", ");
                     let advice = "`zonobench enclose` makes a body around points";
                     tell(&format!("each row of {names} is read as a generator; {advice}"));
@@ -122,6 +123,17 @@ impl BodySource {
             }
             other => Err(self.holds_none(other)),
         }
+    }
+
+    /// A complaint about lines of a table with the name that this body's option for them has.
+    fn with_option(&self, error: InputError) -> InputError {
+        let problem = match error.problem {
+            Problem::TextAboveNumber { text, skip, .. } => {
+                Problem::TextAboveNumber { text, skip, option: self.options.skip }
+            }
+            other => other,
+        };
+        InputError { problem, ..error }
     }
 
     /// The body of vectors that the names of the columns and the options tell.

@@ -9,6 +9,8 @@ pub struct OptionNames {
     pub columns_are_generators: &'static str,
     /// The option by which the first vector is read as the centre.
     pub center_first: &'static str,
+    /// The option of the number of lines that are left out of a table.
+    pub skip: &'static str,
     /// The option of a file with a pose.
     pub pose: &'static str,
     /// The option of a turn.
@@ -23,6 +25,7 @@ impl OptionNames {
         format: "--format",
         columns_are_generators: "--columns-are-generators",
         center_first: "--center-first",
+        skip: "--skip",
         pose: "--pose",
         turn: "--turn",
         shift: "--move",
@@ -33,11 +36,12 @@ impl OptionNames {
         format: "--format-b",
         columns_are_generators: "--columns-are-generators-b",
         center_first: "--center-first-b",
+        skip: "--skip-b",
         pose: "--pose-b",
         turn: "--turn-b",
         shift: "--move-b",
     };
 
     /// The options of a body beside a file of points, whose format has the plain name.
-    pub const BESIDE_POINTS: Self = Self { format: "--body-format", ..Self::OF_FIRST };
+    pub const BESIDE_POINTS: Self = Self { format: "--body-format", skip: "--body-skip", ..Self::OF_FIRST };
 }

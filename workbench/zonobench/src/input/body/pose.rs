@@ -28,7 +28,7 @@ impl PoseDocument {
         let told = |note: &String| tell(&on_one_line(&format!("{}: {note}", file.display())));
         match Format::of_extension(file) {
             Some(Format::Csv) => {
-                let rows = table::rows(file, &content, Order::Matrix)?;
+                let rows = table::rows(file, &content, Order::Matrix, None)?;
                 rows.notes.iter().for_each(told);
                 Ok(Self::Rows(rows.numbers))
             }

@@ -8,9 +8,8 @@ use crate::input::names::Order;
 fn read(name: &str, content: &str) -> Result<Body, String> {
     let file = Path::new(name);
     let read = match Format::of_extension(file) {
-        Some(Format::Csv) => {
-            table::rows(file, content.as_bytes(), Order::Coordinates).and_then(|rows| body(file, None, rows.numbers))
-        }
+        Some(Format::Csv) => table::rows(file, content.as_bytes(), Order::Coordinates, None)
+            .and_then(|rows| body(file, None, rows.numbers)),
         _ => parse(file, content.as_bytes())
             .and_then(|tree| document::placed(file, &tree, Layout::default(), OptionNames::OF_FIRST, &mut |_| ()))
             .map(|placed| placed.body),

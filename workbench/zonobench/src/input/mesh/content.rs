@@ -3,13 +3,13 @@
 use super::super::error::{Place, Problem};
 use super::super::number::{self, Losses};
 use super::super::points::push_limited;
-use super::super::reading::Skipping;
+use super::super::reading::{Skipping, counted};
 
-/// The content of a mesh.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Mesh {
+/// The content of a mesh, of space unless the format has others.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Mesh<const D: usize = 3> {
     /// The vertices, in the order of the file; NaN for one that is left out, until [`Mesh::finish`].
-    pub(super) vertices: Vec<[f64; 3]>,
+    pub(super) vertices: Vec<[f64; D]>,
     /// The faces, each a list of three or more vertices.
     pub(super) faces: Vec<Box<[usize]>>,
     /// The parts of the file that were left out.
@@ -20,17 +20,24 @@ pub(super) struct Mesh {
     pub(super) losses: Losses,
 }
 
-impl Mesh {
+impl<const D: usize> Default for Mesh<D> {
+    fn default() -> Self {
+        let (vertices, faces, losses) = (Vec::new(), Vec::new(), Losses::default());
+        Self { vertices, faces, left_out: Vec::new(), notes: Vec::new(), losses }
+    }
+}
+
+impl<const D: usize> Mesh<D> {
     /// Adds a vertex; a place for one that is left out, because a coordinate is missing or not finite.
     pub(super) fn push(
         &mut self,
-        vertex: Result<[f64; 3], Problem>,
+        vertex: Result<[f64; D], Problem>,
         skipping: &mut Skipping,
         place: impl Fn(usize) -> Place,
     ) -> Result<(), Misplaced> {
         let kept = self.vertices.len().saturating_sub(skipping.count());
         let vertex = match vertex {
-            Err(problem) if skipping.passes_over(&problem, kept) => Ok([f64::NAN; 3]),
+            Err(problem) if skipping.passes_over(&problem, kept) => Ok([f64::NAN; D]),
             vertex => vertex,
         };
         let number = self.vertices.len() + 1;
@@ -50,9 +57,15 @@ impl Mesh {
         Ok(())
     }
 
+    /// The vertices alone; faces are those of meshes of space.
+    pub(super) fn without_faces(mut self) -> Self {
+        self.left_out.extend(counted(self.faces.len(), "face", "faces"));
+        Self { faces: Vec::new(), ..self }
+    }
+
     /// The mesh without the vertices that are left out and the faces at these.
     pub(super) fn finish(self) -> Self {
-        let is_left_out = |vertex: &[f64; 3]| vertex[0].is_nan();
+        let is_left_out = |vertex: &[f64; D]| vertex[0].is_nan();
         let holes: Vec<usize> = (0..self.vertices.len()).filter(|&v| is_left_out(&self.vertices[v])).collect();
         if holes.is_empty() {
             return self;
@@ -67,15 +80,15 @@ impl Mesh {
 /// The fault, and its place in the file.
 pub(super) type Misplaced = (Problem, Place);
 
-/// The coordinates that three words of a line spell, in these columns, or why a coordinate is missing; a broken
+/// The coordinates that words of a line spell, in these columns, or why a coordinate is missing; a broken
 /// number is an error, and comes before a missing one. The losses take notice of them.
-pub(super) fn on_line(
-    words: [&[u8]; 3],
-    columns: [u64; 3],
+pub(super) fn on_line<const D: usize>(
+    words: [&[u8]; D],
+    columns: [u64; D],
     line: u64,
     losses: &mut Losses,
-) -> Result<Result<[f64; 3], Problem>, Misplaced> {
-    let mut read = [0.0; 3];
+) -> Result<Result<[f64; D], Problem>, Misplaced> {
+    let mut read = [0.0; D];
     let mut missing = None;
     for ((column, slot), word) in columns.into_iter().zip(&mut read).zip(words) {
         let place = Place::Cell { line, column };

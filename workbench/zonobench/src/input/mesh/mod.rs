@@ -26,19 +26,28 @@ pub(super) fn points(
     skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
     let read = match format {
-        Format::Obj => obj::read,
-        Format::Ply => ply::read,
-        Format::Stl => stl::read,
-        _ => off::read,
+        Format::Obj => obj::read(content, skipping).map(Mesh::into_reading),
+        Format::Ply => ply::read(content, skipping).map(Mesh::into_reading),
+        Format::Stl => stl::read(content, skipping).map(Mesh::into_reading),
+        _ => off::read(content, skipping),
     };
-    let mesh = read(content, skipping).map_err(|(problem, place)| problem.at(file, place))?;
-    let Mesh { vertices, faces, left_out, notes, losses } = mesh.finish();
-    Ok(Reading {
-        faces,
-        notes,
-        losses: losses.in_words(),
-        ..Reading::without_columns(Points::Space(vertices), left_out)
-    })
+    read.map_err(|(problem, place)| problem.at(file, place))
+}
+
+impl Mesh {
+    /// The vertices of a mesh of space, with its faces.
+    fn into_reading(self) -> Reading {
+        self.read_as(Points::Space)
+    }
+}
+
+impl<const D: usize> Mesh<D> {
+    /// The vertices as points, with the faces.
+    fn read_as(self, points: fn(Vec<[f64; D]>) -> Points) -> Reading {
+        let Self { vertices, faces, left_out, notes, losses } = self.finish();
+        let losses = losses.in_words();
+        Reading { faces, notes, losses, ..Reading::without_columns(points(vertices), left_out) }
+    }
 }
 
 #[cfg(test)]

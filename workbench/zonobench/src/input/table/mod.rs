@@ -106,9 +106,9 @@ impl Rows {
 /// above, without a column that counts the rows.
 ///
 /// Columns that are named as coordinates are put in their order, and labels of rows are left out, as `order` says.
-pub(super) fn rows(file: &Path, content: &[u8], order: Order) -> Result<Rows, InputError> {
-    let text = Text::new(decoded(file, content)?, 0, Naming::Vectors);
-    Table::new(file, &text).numbers(order)
+pub(super) fn rows(file: &Path, content: &[u8], order: Order, skip: Option<u64>) -> Result<Rows, InputError> {
+    let text = Text::new(decoded(file, content)?, skip.unwrap_or(0), Naming::Vectors);
+    Table::new(file, &text).numbers(order, if skip.is_some() { Use::Told } else { Use::Vectors })
 }
 
 fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u8]>, InputError> {
@@ -134,13 +134,17 @@ impl<'a> Table<'a> {
         Self { file, text, decimals: Decimals::default(), losses: Losses::default(), width: 0 }
     }
 
-    fn numbers(mut self, order: Order) -> Result<Rows, InputError> {
+    fn numbers(mut self, order: Order, use_of: Use) -> Result<Rows, InputError> {
         let text = self.text;
         let mut records = text.rows();
-        let Some(mut start) = Start::read(self.file, text, &mut records, Use::Vectors)? else {
+        let Some(mut start) = Start::read(self.file, text, &mut records, use_of)? else {
             return Ok(Rows::default());
         };
         self.width = start.width;
+        if !start.is_numbered {
+            let all: Vec<usize> = (0..self.width).filter(|column| !start.nameless.contains(column)).collect();
+            self.refuse_text_above_number(&start, &all, Some(0))?;
+        }
         let taken = start.taken_for_sizes.take();
         let Start { first, second, count, is_numbered, nameless, nameless_in_words, left_out, in_doubt, .. } = start;
         let mut columns: Vec<usize> = (0..self.width).filter(|column| !nameless.contains(column)).collect();
@@ -280,7 +284,7 @@ impl<'a> Table<'a> {
             Err(problem(text, line).at(self.file, Place::Cell { line, column: column as u64 + 1 }))
         };
         if let Some(column) = text_above_number(first, second, columns.iter().copied()) {
-            return refused(column, |text, skip| Problem::TextAboveNumber { text, skip });
+            return refused(column, |text, skip| Problem::TextAboveNumber { text, skip, option: "--skip" });
         }
         match text_above_number(first, second, 0..first.len()) {
             Some(column) if skip.is_none() => refused(column, |text, skip| Problem::HeaderOrData { text, skip }),

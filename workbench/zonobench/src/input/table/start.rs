@@ -17,11 +17,11 @@ use crate::input::number;
 pub(super) enum Use {
     /// Points of a table.
     Table,
-    /// Points of a table of which the caller said how many lines are to be left out.
+    /// A table of which the caller said how many lines are to be left out.
     Told,
     /// A cloud of points, whose columns no program numbers.
     Cloud,
-    /// Vectors, where no option leaves out a line.
+    /// Vectors.
     Vectors,
 }
 

@@ -242,7 +242,7 @@ fn a_column_of_text_makes_no_header_of_the_first_row() {
     let broken = "p.csv: line 1, column 3: '3km' is not a number";
     assert_eq!(complaint("1,2,3km\n4,5,6km\n", Wanted::Any), Err(broken.to_owned()));
     let refused = "p.csv: line 1, column 3: 'north' is not a number";
-    let generators = rows(Path::new("p.csv"), cities.as_bytes(), Order::Coordinates).map(|rows| rows.numbers);
+    let generators = rows(Path::new("p.csv"), cities.as_bytes(), Order::Coordinates, None).map(|rows| rows.numbers);
     assert_eq!(generators.map_err(|error| error.to_string()), Err(refused.to_owned()));
     let columns = "1,2,3".parse().expect("well formed");
     let chosen = points(Path::new("p.csv"), cities.as_bytes(), Some(&columns), None, Wanted::Any);
@@ -284,10 +284,8 @@ fn a_number_in_the_first_row_makes_it_data() {
     let columns = "x,y".parse().expect("well formed");
     let named = points(Path::new("p.csv"), b"x,y,2024\n3,4,5\n", Some(&columns), None, Wanted::Planar);
     assert_eq!(named.expect("a header with both names").points, Points::Plane(vec![[3.0, 4.0]]));
-    // Generators have no lines to skip: the text is no number.
-    let generators = rows(Path::new("p.csv"), mixed.as_bytes(), Order::Coordinates).map(|rows| rows.numbers);
-    let refused = "p.csv: line 1, column 3: 'north' is not a number";
-    assert_eq!(generators.map_err(|error| error.to_string()), Err(refused.to_owned()));
+    let generators = rows(Path::new("p.csv"), mixed.as_bytes(), Order::Coordinates, None).map(|rows| rows.numbers);
+    assert_eq!(generators.map_err(|error| error.to_string()), Err(text("line 1, column 3", "north", 1)));
 }
 
 /// A choice by a name that no row has tells which columns there are, and never lists data as names.

@@ -82,12 +82,136 @@ fn answers_that_nobody_can_read_are_no_success() {
             "{complaint}"
         );
     }
-    let (status, complaint) = shell(folder, "$P enclose p.csv --json - >&-");
-    assert!(status == Some(1) && complaint.contains(closed), "{complaint}");
     let (status, complaint) = shell(folder, "$P solve q.jsonl >/dev/full");
-    assert!(status == Some(1) && complaint.contains("os error 28"), "{complaint}");
+    assert_eq!(status, Some(1));
+    assert!(complaint.starts_with("zonobench: the answers cannot be written: standard output: "), "{complaint}");
     assert_eq!(shell(folder, "$P solve q.jsonl >/dev/null"), (Some(0), String::new()), "dropped on purpose");
-    assert_eq!(shell(folder, "$P enclose p.csv --json a.json >&-"), (Some(0), String::new()), "the answer is kept");
+    let (status, complaint) = shell(folder, "$P enclose p.csv --json a.json >&-");
+    assert!(status == Some(1) && complaint.contains(closed), "the summary is lost: {complaint}");
+    assert!(folder.join("a.json").is_file(), "the answer is kept");
+}
+
+/// Every command that prints on standard output, with something to work on.
+#[cfg(target_os = "linux")]
+const PRINTING: [&str; 27] = [
+    "enclose p.csv",
+    "enclose a.obj",
+    "enclose p.csv --json -",
+    "intersect z.json z.json",
+    "distance z.json z.json",
+    "hausdorff z.json z.json",
+    "collide z.json z.json --translation 5,0,0",
+    "sweep z.json --axis 0,0,1 --degrees 30",
+    "contains z.json a.obj",
+    "reduce z.json --count 3",
+    "inspect z.json",
+    "mesh a.obj a.obj",
+    "mesh a.obj --level 1",
+    "verify p.csv right.json",
+    "verify q.jsonl nothing.json",
+    "solve q.jsonl",
+    "list",
+    "list figures",
+    "draw zonogon p.csv --svg -",
+    "figure paper-figure-1 --svg -",
+    "explore --out -",
+    "completions bash",
+    "man enclose",
+    "compare r r",
+    "records export r --csv -",
+    "merge shards",
+    "--version",
+];
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_command_takes_a_lost_output_for_success() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+    let mesh = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8]\ninstances = 1\n";
+    let body = "[[1,0,0],[0,1,0],[0,0,1]]";
+    for (name, text) in [
+        ("p.csv", POINTS),
+        ("a.obj", mesh),
+        ("z.json", body),
+        ("q.jsonl", question),
+        ("nothing.json", ""),
+        ("my.toml", config),
+    ] {
+        fs::write(folder.join(name), text).expect("written");
+    }
+    for made in [
+        "enclose p.csv --json right.json",
+        "reproduce --config my.toml --out r",
+        "solve q.jsonl --shard 0/1 --out shards",
+    ] {
+        assert_eq!(shell(folder, &format!("$P {made} >/dev/null")).0, Some(0), "{made}");
+    }
+    for command in PRINTING {
+        let dropped = shell(folder, &format!("$P {command} >/dev/null")).0;
+        assert_eq!(dropped, Some(i32::from(command.ends_with("nothing.json"))), "{command}: dropped on purpose");
+        for (end, complaint) in [(">&-", "standard output is closed"), (">/dev/full", "standard output: cannot be")] {
+            let (status, told) = shell(folder, &format!("$P {command} {end}"));
+            assert_eq!(status, Some(1), "{command} {end}: {told}");
+            let last = told.lines().last().unwrap_or_default();
+            assert!(last.starts_with("zonobench: ") && last.contains(complaint), "{command} {end}: {told}");
+        }
+        let (_, told) = shell(folder, &format!("{{ $P {command}; echo $? >status; }} | head -c 0"));
+        let status = fs::read_to_string(folder.join("status")).expect("written");
+        // a short answer may be gone before its reader is
+        assert!(["141\n", "0\n"].contains(&&*status) || command.ends_with("nothing.json"), "{command}: {status}");
+        assert!(!told.contains("zonobench: "), "{command}: {told}");
+    }
+    let files_are_kept = "$P reproduce --config my.toml --out s >&-";
+    assert_eq!(shell(folder, files_are_kept).0, Some(1), "the summary is lost");
+    assert!(folder.join("s/manifest.json").is_file(), "the report is kept");
+}
+
+/// No file may grow, as on a disk that is full: the complaint names the file that was asked for, not a temporary one,
+/// and no summary says that it is there.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told_with_the_name_of_the_file() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8]\ninstances = 1\n";
+    for (name, text) in
+        [("p.csv", POINTS), ("z.json", "[[1,0,0],[0,1,0],[0,0,1]]"), ("q.jsonl", question), ("my.toml", config)]
+    {
+        fs::write(folder.join(name), text).expect("written");
+    }
+    assert_eq!(shell(folder, "$P reproduce --config my.toml --out r >/dev/null").0, Some(0));
+    assert_eq!(shell(folder, "$P solve q.jsonl --shard 0/1 --out shards").0, Some(0));
+    for (command, file) in [
+        ("enclose p.csv --json new.json", "new.json"),
+        ("enclose p.csv --svg new.svg", "new.svg"),
+        ("inspect z.json --obj new.obj", "new.obj"),
+        ("inspect z.json --ply new.ply", "new.ply"),
+        ("inspect z.json --stl new.stl", "new.stl"),
+        ("inspect z.json --question new.json", "new.json"),
+        ("contains z.json z.json --format json --json new.json", "new.json"),
+        ("figure paper-figure-1 --svg new.svg", "new.svg"),
+        ("draw zonogon p.csv --svg new.svg", "new.svg"),
+        ("explore --out new.html", "new.html"),
+        ("records export r --csv new.csv", "new.csv"),
+        ("merge shards --out new.jsonl", "new.jsonl"),
+        ("solve q.jsonl --shard 0/1 --out new", "new/solve.0-of-1.shard"),
+        ("reproduce --config my.toml --out s", "s/records: counts.jsonl"),
+    ] {
+        let (status, told) = shell(folder, &format!("trap '' XFSZ; ulimit -f 0; $P {command}"));
+        let complaint = told.lines().last().unwrap_or_default();
+        assert!(status == Some(1) && complaint.contains(file), "{command}: {told}");
+        assert!(complaint.starts_with("zonobench: ") && !told.contains(".zonobench-"), "{command}: {told}");
+        assert!(complaint.contains("File too large"), "{command}: {told}");
+        assert!(!folder.join(file).exists(), "{command}");
+    }
+    let (status, told) = shell(folder, "trap '' XFSZ; ulimit -f 0; $P explore --out new.html");
+    assert!(status == Some(1) && told.starts_with("zonobench: new.html: cannot be written: "), "{told}");
+    let printed = "trap '' XFSZ; ulimit -f 0; $P draw zonogon p.csv --svg new.svg | grep -c new.svg";
+    assert_eq!(shell(folder, printed).0, Some(1), "no line says that the picture is there");
 }
 
 /// As a program that the signal SIGPIPE ends: silent, and a failure for who looks at its status.

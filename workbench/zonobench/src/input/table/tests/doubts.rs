@@ -9,7 +9,7 @@ fn reading(content: &str, is_cloud: bool) -> Reading {
 }
 
 fn notes_of_vectors(content: &str) -> Vec<String> {
-    rows(Path::new("z.csv"), content.as_bytes(), Order::Coordinates).expect(content).notes
+    rows(Path::new("z.csv"), content.as_bytes(), Order::Coordinates, None).expect(content).notes
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn numbers_in_place_of_names_are_left_out_or_told() {
     let (found, told) = read("0,5,6\n1,7,8\n2,9,9\n", Wanted::Any);
     assert_eq!(found.dimension(), 3);
     assert_eq!(told, "1, 2, 3; column 1 counts the rows and is read as a coordinate; --columns 2,3 leaves it out");
-    let rows = rows(Path::new("z.csv"), b",g1,g2\n0,1,0\n1,0,2\n", Order::Coordinates).expect("numbers");
+    let rows = rows(Path::new("z.csv"), b",g1,g2\n0,1,0\n1,0,2\n", Order::Coordinates, None).expect("numbers");
     assert_eq!((rows.names.join(" "), rows.numbers), ("g1 g2".to_owned(), vec![vec![1.0, 0.0], vec![0.0, 2.0]]));
     assert_eq!(rows.notes, [index]);
     let refused = points(Path::new("p.csv"), b"x,y\n5,2,7\n", None, None, Wanted::Planar).expect_err("ragged");

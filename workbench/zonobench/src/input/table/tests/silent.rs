@@ -13,7 +13,8 @@ fn told(content: &str, is_cloud: bool, skip: Option<u64>) -> Result<(Vec<Vec<f64
 
 /// The rows of vectors, or the complaint, with what is told.
 fn vectors(content: &str) -> Result<(Vec<Vec<f64>>, Vec<String>), String> {
-    let rows = rows(Path::new("z.csv"), content.as_bytes(), Order::Coordinates).map_err(|error| error.to_string())?;
+    let rows =
+        rows(Path::new("z.csv"), content.as_bytes(), Order::Coordinates, None).map_err(|error| error.to_string())?;
     Ok((rows.numbers, rows.notes))
 }
 
@@ -98,7 +99,7 @@ fn coordinates_are_put_in_their_order_in_vectors_as_in_points() {
         assert_eq!((&points[0], &rows[0]), (&expected, &expected), "{content}");
         assert!(!words.is_empty() && notes.len() == 1, "{words} {notes:?}");
     }
-    let pose = rows(Path::new("p.csv"), b"y,x\n0,1\n1,0\n", Order::Matrix).expect_err("another order");
+    let pose = rows(Path::new("p.csv"), b"y,x\n0,1\n1,0\n", Order::Matrix, None).expect_err("another order");
     assert!(pose.to_string().contains("in another order than the coordinates"), "{pose}");
 }
 
