@@ -123,6 +123,10 @@
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
 
+#[cfg(test)]
+#[macro_use]
+mod property_cases;
+
 pub mod arrangement;
 pub mod bvh;
 pub mod collision;
@@ -138,8 +142,6 @@ pub mod line_fit;
 pub mod linear_program;
 pub mod motion;
 pub mod numeric;
-#[cfg(test)]
-mod property_cases;
 pub mod reduction;
 pub mod seed;
 mod tables;

@@ -108,7 +108,7 @@ mod tests {
         (value(), positive).prop_map(|(n, d)| Fraction::new(Dyadic::from_f64(n), Dyadic::from_f64(d)))
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]

@@ -82,7 +82,7 @@ fn enlarged(points: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     (0..count).map(|k| points[(k * 7919 + k / points.len()) % points.len()]).collect()
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
@@ -98,7 +98,7 @@ proptest! {
     }
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(200))]
 
     #[test]

@@ -72,7 +72,7 @@ mod tests {
         assert!((contact.dist + 0.25).abs() < 1e-9, "{}", contact.dist);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn the_support_point_is_extreme(
             generators in proptest::collection::vec([-9i8..10, -9i8..10, -9i8..10], 0..20),

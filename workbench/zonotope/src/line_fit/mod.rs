@@ -229,7 +229,7 @@ mod tests {
         proptest::collection::vec((coordinate(), coordinate(), weight).prop_map(Into::into), 0..10)
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(500))]
 
         #[test]

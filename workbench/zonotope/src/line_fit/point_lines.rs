@@ -141,7 +141,7 @@ mod tests {
         proptest::collection::vec((coordinate(), coordinate(), weight).prop_map(Into::into), 2..40)
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(1000))]
 
         #[test]

@@ -92,7 +92,7 @@ fn what_is_not_a_program_is_refused() {
     assert!(program.rows().is_empty());
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(300))]
 
     /// The origin is feasible and the box bounds everything, so both engines find an optimum, and duality ties primal

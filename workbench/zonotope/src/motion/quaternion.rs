@@ -91,7 +91,7 @@ mod tests {
         assert_eq!(composition(&identity(), &q), q);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn the_rotation_of_a_product_is_the_product_of_rotations(
             q in proptest::array::uniform4(-9i8..=9),

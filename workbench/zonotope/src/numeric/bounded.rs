@@ -154,7 +154,7 @@ mod tests {
     use crate::numeric::linear::dot;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn bounds_hold(bits in proptest::array::uniform9(any::<u64>()), small in any::<bool>()) {
             let value = |bits: u64| {

@@ -287,7 +287,7 @@ mod tests {
         prop_oneof![proptest::collection::vec(-1.0..1.0f64, 600), signed]
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn sums_keep_their_bounds_and_are_the_same_at_each_level(
             vectors in proptest::collection::vec(proptest::array::uniform3(-1e3..1e3f64), 0..600),

@@ -340,7 +340,7 @@ mod tests {
         assert_eq!(few, [2.0, -3.0].map(Dyadic::from_f64));
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn doubles_go_round(bits in any::<u64>()) {
             let value = f64::from_bits(bits);

@@ -24,7 +24,7 @@ mod tests {
     use crate::numeric::dyadic::Dyadic;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn products_are_exact(a in -1e100..1e100f64, b in -1e-90..1e100f64) {
             let (head, tail) = exact_product(a, b);

@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(sum.value(), before);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn agrees_with_dyadic_sums(bits in proptest::collection::vec(any::<u64>(), 0..40)) {
             let values: Vec<f64> = bits.into_iter().map(f64::from_bits).filter(|v| v.is_finite()).collect();

@@ -185,7 +185,7 @@ mod tests {
         assert_eq!(axis_generators([0.0, 0.0]).count(), 0);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn the_nearest_double_on_that_side(a in -4.0..4.0f64, b in -1.0..1.0f64, shift in -1100i64..900) {
             let exact = (Dyadic::from_f64(a) * Dyadic::from_f64(b)).scaled(shift);

@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(PowerOfTwo::new(2000).apply(f64::from_bits(1)), power_of_two(926));
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn a_double_over_its_power_of_two_is_about_one(bits in any::<u64>()) {
             let value = f64::from_bits(bits);

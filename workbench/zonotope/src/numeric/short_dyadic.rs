@@ -95,7 +95,7 @@ mod tests {
         ]
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn what_is_short_is_exact(a in double(), b in double(), c in double()) {
             let [x, y, z] = [a, b, c].map(ShortDyadic::from_f64);

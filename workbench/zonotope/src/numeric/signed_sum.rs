@@ -130,7 +130,7 @@ mod tests {
         ]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(300))]
 
         #[test]

@@ -214,7 +214,7 @@ mod tests {
         Ok(())
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn agrees_with_brute_force(
             outer in proptest::collection::vec(proptest::array::uniform3(number()), 3..7),
@@ -236,7 +236,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn a_body_grown_by_the_factor_contains(
             outer in proptest::collection::vec(proptest::array::uniform3(-1.0..1.0f64), 3..7),

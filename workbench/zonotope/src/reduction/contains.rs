@@ -85,7 +85,7 @@ mod tests {
             .prop_map(|(center, generators)| Zonotope::new(center, generators).expect("finite"))
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn agrees_with_brute_force(
             [a, b] in [body::<3>(0..6), body::<3>(0..4)],

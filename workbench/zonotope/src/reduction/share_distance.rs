@@ -142,7 +142,7 @@ mod tests {
         assert!((length(&[3e-300, 4e-300]) - 5e-300).abs() < 1e-314 && length(&[0.0]) == 0.0);
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
         #[test]

@@ -58,7 +58,7 @@ fn every_rule_encloses<const D: usize>(generators: &[[f64; D]]) -> Result<(), Te
     Ok(())
 }
 
-proptest! {
+properties! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]

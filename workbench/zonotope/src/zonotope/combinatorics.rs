@@ -124,7 +124,7 @@ mod tests {
         check(vec![[0.5], [-3.0], [0.0]]);
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(400))]
 
         #[test]
@@ -135,7 +135,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(60))]
 
         #[test]

@@ -140,7 +140,7 @@ mod tests {
         assert!(Directions::new(&[[f64::INFINITY]]).is_err());
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn classes_are_those_of_vanishing_minors(
             generators in proptest::collection::vec([-2i8..3, -2i8..3, -2i8..3, -2i8..3], 0..12),

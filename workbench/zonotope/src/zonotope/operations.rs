@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(huge.bounding_box(), BoundingBox { low: [0.0], high: [f64::INFINITY] });
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn results_enclose_the_exact_ones(a in body(), b in body(), u in direction(), by in direction()) {
             let minus = u.map(|c| -c);

@@ -61,7 +61,7 @@ mod tests {
     use crate::zonotope::passes::{absolute_sum, extreme_sum};
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn passes_over_blocks_are_those_over_rows((generators, direction) in vectors()) {
             let prepared = PreparedBody::new(Zonotope::new([0.0; 3], generators.clone()).expect("finite"));

@@ -125,7 +125,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn area_is_the_sum_over_pairs(zonogon in lattice_zonogon()) {
             let g = zonogon.generators();

@@ -60,7 +60,7 @@ fn rows(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value 
     proptest::collection::vec([coefficient.clone(), coefficient.clone(), coefficient], 0..14)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(60))]
 
     #[test]

@@ -93,7 +93,7 @@ fn directions() -> impl Strategy<Value = Vec<Direction>> {
     directions.prop_map(|vectors| vectors.into_iter().filter_map(|vector| Direction::new(vector).ok()).collect())
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(300))]
 
     #[test]

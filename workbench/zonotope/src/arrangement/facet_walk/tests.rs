@@ -42,7 +42,7 @@ fn special() -> impl Strategy<Value = Vec<[f64; 3]>> {
     prop::collection::vec(generator.prop_map(scaled), 3..8)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(150))]
 
     #[test]

@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(TiltedLine::of([0.0; 3]), None);
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(24))]
 
         #[test]

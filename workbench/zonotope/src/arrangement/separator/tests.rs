@@ -61,7 +61,7 @@ fn generators(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<V
     proptest::collection::vec([coordinate.clone(), coordinate.clone(), coordinate], 0..9)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(400))]
 
     #[test]

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn agree_with_all_pairs(sequence in proptest::collection::vec(0u32..40, 0..60)) {
             let pairs = sequence.iter().enumerate().flat_map(|(i, &a)| sequence[i..].iter().map(move |&b| [a, b]));

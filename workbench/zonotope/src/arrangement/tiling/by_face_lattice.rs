@@ -346,7 +346,7 @@ mod tests {
         assert_eq!((of(&cube).tiles.len(), of(&cube).vertical_facets), (1, 4));
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn tiles_fill_q_and_separators_sweep_over_it(
             generators in proptest::collection::vec([-2i8..3, -2i8..3, -2i8..3], 0..9),

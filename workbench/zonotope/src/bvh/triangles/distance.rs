@@ -231,7 +231,7 @@ mod tests {
         assert!(lower == 0.0 && upper >= 5e-101, "{lower} {upper}");
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]

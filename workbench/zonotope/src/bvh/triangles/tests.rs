@@ -15,7 +15,7 @@ fn size() -> impl Strategy<Value = f64> {
     prop_oneof![3 => Just(1.0), 1 => Just(1e300), 1 => Just(1e-300), 1 => Just(5e-324), 1 => 0.1..1.0f64]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(20_000))]
 
     #[test]

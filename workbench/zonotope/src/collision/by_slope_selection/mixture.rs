@@ -157,7 +157,7 @@ mod tests {
     use crate::interop::verifier::check_location;
     use ::verifier::Verdict;
 
-    proptest! {
+    properties! {
         #[test]
         fn both_proofs_of_a_mean_hold(
             generators in proptest::collection::vec([-3i32..4, -3..4, -3..4], 1..9),

@@ -112,7 +112,7 @@ mod tests {
     use crate::numeric::dyadic::Dyadic;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(256))]
 
         #[test]

@@ -166,7 +166,7 @@ mod tests {
         ]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(256))]
 
         #[test]

@@ -109,7 +109,7 @@ mod tests {
     use crate::collision::upper_hull::by_slope_selection;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(24))]
 
         #[test]

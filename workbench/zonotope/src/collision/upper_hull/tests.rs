@@ -52,7 +52,7 @@ fn signs() -> impl Strategy<Value = Vec<bool>> {
     proptest::collection::vec(any::<bool>(), 8)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(600))]
 
     #[test]

@@ -71,7 +71,7 @@ macro_rules! dimensions {
         mod $name {
             use super::*;
 
-            proptest! {
+            properties! {
                 #![proptest_config(crate::property_cases::config(150))]
 
                 #[test]

@@ -53,7 +53,7 @@ fn scale() -> impl Strategy<Value = f64> + Clone {
     ]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(400))]
 
     #[test]

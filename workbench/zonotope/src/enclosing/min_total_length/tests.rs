@@ -29,7 +29,7 @@ fn lattice<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value
     proptest::collection::vec(proptest::array::uniform((-2i8..3).prop_map(f64::from)), count)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(24))]
 
     #[test]

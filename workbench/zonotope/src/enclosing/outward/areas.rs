@@ -69,7 +69,7 @@ mod tests {
         area.is_none_or(|area| (area.to_dyadic() - exact.clone()).abs() <= Dyadic::from_f64(area.parts().1))
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn areas_are_within_their_bounds(
             points in proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 3..12),

@@ -4,7 +4,7 @@ use super::*;
 use crate::hull::convex_hull;
 use crate::hull::tests::point_sets;
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]

@@ -50,7 +50,7 @@ fn large_instances_agree_and_verify() {
     }
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(150))]
 
     #[test]

@@ -43,7 +43,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
     ]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(1_000))]
 
     #[test]

@@ -34,7 +34,7 @@ fn linear() -> impl Strategy<Value = [f64; 3]> {
     prop_oneof![3 => Just([0.0; 3]), 1 => of(integer(2).boxed()), 1 => of((-2.0..2.0f64).boxed())]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(250))]
 
     #[test]

@@ -226,7 +226,7 @@ mod tests {
         ]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(400))]
 
         #[test]

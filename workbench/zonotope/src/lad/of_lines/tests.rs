@@ -61,7 +61,7 @@ fn linear() -> impl Strategy<Value = [f64; 2]> {
     prop_oneof![3 => Just([0.0, 0.0]), 1 => [integer(2), integer(2)], 1 => [-3.0..3.0f64, -3.0..3.0]]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]

@@ -270,7 +270,7 @@ fn any_body() -> impl Strategy<Value = Zonotope<3>> {
     )
 }
 
-proptest! {
+properties! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]

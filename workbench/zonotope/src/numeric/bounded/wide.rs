@@ -150,7 +150,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(4096))]
 
         #[test]

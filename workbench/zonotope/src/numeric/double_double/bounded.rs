@@ -253,7 +253,7 @@ mod tests {
         (magnitude, positive)
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(4000))]
 
         #[test]

@@ -86,7 +86,7 @@ mod tests {
         proptest::array::uniform3(coordinate())
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]

@@ -124,7 +124,7 @@ mod tests {
         if *value < Rational::ZERO { -value.clone() } else { value.clone() }
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]

@@ -81,7 +81,7 @@ mod tests {
         assert_eq!(of(&a_bit_more * &a_bit_more), Root { below: largest, nearest: largest, above: infinite });
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn a_root_is_enclosed_and_rounded(a in any::<u64>(), b in 1..u64::MAX, exponent in -1100i64..1000) {
             let square = Rational::from_parts(a.into(), b.into());

@@ -183,7 +183,7 @@ mod tests {
         assert_eq!((span.rank(), span.annihilators().len()), (0, 2));
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn members_are_told_from_others(
             vectors in proptest::collection::vec(proptest::array::uniform4(-3i32..4), 0..4),

@@ -73,7 +73,7 @@ mod tests {
     use crate::numeric::lanes::{absolute_sum, bounded_sum, extreme_sum};
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(3000))]
 
         #[test]
@@ -105,7 +105,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn sums_are_the_same_at_every_level((generators, direction) in vectors()) {
             let all = at_each_level(|| {

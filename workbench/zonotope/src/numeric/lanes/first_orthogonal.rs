@@ -87,7 +87,7 @@ mod tests {
         prop_oneof![2 => -1.0..1.0f64, 2 => (-2i32..3).prop_map(|c| f64::from(c) / 2.0), 1 => -1e-12..1e-12f64]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(400))]
 
         #[test]

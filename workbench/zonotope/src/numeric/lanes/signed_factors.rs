@@ -39,7 +39,7 @@ mod tests {
     use crate::numeric::linear::dot;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn signs_are_those_of_products((generators, direction) in vectors()) {
             let expected: Vec<f64> = generators.iter().map(|v| 0.5f64.copysign(dot(v, &direction))).collect();

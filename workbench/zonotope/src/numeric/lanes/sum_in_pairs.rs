@@ -116,7 +116,7 @@ mod tests {
         })
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn sums_keep_their_bounds_and_are_the_same_at_each_level(
             (generators, direction) in vectors(), low in -1.0..1.0f64, exponent in -60..60i32,

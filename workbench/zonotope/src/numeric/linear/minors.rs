@@ -71,7 +71,7 @@ mod tests {
         assert_eq!(hyperplane_normal(&[[3.0, 4.0]]), [4.0, -3.0]);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn a_normal_is_orthogonal_to_its_rows(
             rows in proptest::array::uniform3(proptest::array::uniform4(-3i32..4)),

@@ -59,7 +59,7 @@ mod tests {
         [coordinate(), coordinate(), coordinate()]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2_000))]
 
         #[test]

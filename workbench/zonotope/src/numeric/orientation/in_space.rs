@@ -184,7 +184,7 @@ mod tests {
         [coordinate(), coordinate(), coordinate()].prop_filter("nonzero", |v| v.iter().any(|&c| c != 0.0))
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(20_000))]
 
         #[test]

@@ -75,7 +75,7 @@ fn nearly_collinear() -> impl Strategy<Value = [[f64; 2]; 4]> {
     )
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(2000))]
 
     #[test]

@@ -254,7 +254,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(400))]
 
         #[test]

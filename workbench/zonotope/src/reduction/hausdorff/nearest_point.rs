@@ -288,7 +288,7 @@ mod tests {
         );
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn a_nearest_point_separates_the_body_from_the_point(
             generators in proptest::collection::vec(proptest::array::uniform3(-3i64..4), 0..7),

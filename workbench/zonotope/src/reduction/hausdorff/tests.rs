@@ -86,7 +86,7 @@ fn agrees<const D: usize>([a, b]: &[Zonotope<D>; 2]) -> Result<(), TestCaseError
     bounds(&bounded(&difference, &[0], WIDTH, Limit::ANSWER), &one)
 }
 
-proptest! {
+properties! {
     #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
     #[test]
@@ -105,7 +105,7 @@ proptest! {
     }
 }
 
-proptest! {
+properties! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]

@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(Zonotope::<3>::new([0.0; 3], vec![]).expect("finite").surface_area().value, 0.0);
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn measures_are_sums_over_generators(
             generators in proptest::collection::vec([-3i8..4, -3i8..4, -3i8..4].prop_map(|v| v.map(f64::from)), 0..9),

@@ -221,7 +221,7 @@ fn generators() -> impl Strategy<Value = Vec<[f64; 3]>> {
     prop_oneof![2 => free, 3 => lattice, 2 => flat, 1 => line, 2 => ulps, 2 => scaled, 1 => rough, 2 => doubled]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
@@ -276,7 +276,7 @@ fn few_vectors<const D: usize>(most: usize) -> impl Strategy<Value = Vec<[f64; D
     proptest::collection::vec(vector, 0..most)
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(150))]
 
     #[test]

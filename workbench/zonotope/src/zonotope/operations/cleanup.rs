@@ -50,7 +50,7 @@ mod tests {
         assert!(huge.with_parallel_generators_merged().is_err());
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn merging_never_loses_a_point(
             generators in proptest::collection::vec(([-1i8..2, -1i8..2, -1i8..2], -1.0..1.0f64), 0..9),

@@ -113,7 +113,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #[test]
         fn agrees_with_a_sorted_set(
             bound in 0usize..9000,

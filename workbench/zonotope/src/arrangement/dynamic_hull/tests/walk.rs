@@ -89,7 +89,7 @@ fn check(rows: &[[f64; 3]], choices: &[(bool, bool)]) -> Result<(), TestCaseErro
     Ok(())
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(100))]
 
     #[test]

@@ -143,7 +143,7 @@ fn pose() -> impl Strategy<Value = Pose> {
     prop_oneof![4 => rotation, 2 => quarters, 1 => any, 1 => Just(Pose::IDENTITY)]
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
@@ -293,7 +293,7 @@ fn extreme_matrices_are_answered_exactly() {
     }
 }
 
-proptest! {
+properties! {
     #[test]
     fn support_values_of_posed_rows_keep_their_bounds(
         a in body(), b in body(), from in pose(), to in pose(), u in vector()

@@ -175,7 +175,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         /// Points of zonogons and segments of small integers, many of them on edges and corners, with zero, parallel

@@ -40,7 +40,7 @@ fn inner_point<const D: usize>(generators: &[[f64; D]], coefficients: &[f64]) ->
     terms.fold([0.0; D], |sum, (g, c)| std::array::from_fn(|k| sum[k] + 0.75 * c * g[k]))
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(300))]
 
     #[test]

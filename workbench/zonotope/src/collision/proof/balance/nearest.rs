@@ -240,7 +240,7 @@ mod tests {
         prop_oneof![any, rotation]
     }
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(200))]
 
         #[test]

@@ -47,7 +47,7 @@ fn small() -> impl Strategy<Value = [f64; 3]> {
     proptest::array::uniform3((-2i32..3).prop_map(f64::from))
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(100))]
 
     #[test]

@@ -103,7 +103,7 @@ fn agrees<const D: usize>(points: &[[f64; D]], directions: &[[f64; D]], weights:
     Ok(())
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(60))]
 
     #[test]

@@ -49,7 +49,7 @@ fn check(rows: &[[f64; 3]], linear: [f64; 2]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(600))]
 
     #[test]

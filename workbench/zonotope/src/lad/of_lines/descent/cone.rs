@@ -90,7 +90,7 @@ mod tests {
         }
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn agrees_with_trial(
             normals in proptest::collection::vec([-3i8..4, -3i8..4].prop_filter("not zero", |n| *n != [0, 0]), 1..7),

@@ -95,7 +95,7 @@ mod tests {
         assert!([f, g].iter().all(|unit| unit[2] == zero && unit.iter().filter(|c| **c == zero).count() == 2));
     }
 
-    proptest! {
+    properties! {
         #[test]
         fn directions_are_orthogonal_and_units_are_near(
             axis in [-1.0..1.0f64, -1.0..1.0f64, 1.0..2.0f64], exponents in [-300i32..300, -300i32..300, -300i32..300]

@@ -112,7 +112,7 @@ mod tests {
     use crate::numeric::lanes::{absolute_sum, extreme_sum};
     use proptest::prelude::*;
 
-    proptest! {
+    properties! {
         #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]

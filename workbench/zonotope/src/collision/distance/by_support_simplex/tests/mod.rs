@@ -103,7 +103,7 @@ fn check_points<const D: usize>(
     Ok(())
 }
 
-proptest! {
+properties! {
     #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
