@@ -76,6 +76,8 @@ export interface Exercise<State> {
   readonly task: string;
   /** How the reader answers: with a number, with one of some choices, or with the figure as it stands. */
   readonly reply: { readonly number: string } | { readonly choices: readonly string[] } | "figure";
+  /** The figure that shows the setting, by its name in `figures`; the first one of the chapter where it is missing. */
+  readonly figure?: string;
   /** The state in which the task is about, if it is about one. */
   readonly setting?: () => State;
   /** Checks the reply by questions to the library: a number, the index of a choice, or 0 for the figure. */
@@ -83,9 +85,12 @@ export interface Exercise<State> {
 }
 
 export interface Slide<State> {
-  readonly figure: string;
+  /** The figure that fills the screen, or two of them, side by side. */
+  readonly figure: string | readonly string[];
   readonly title: string;
   readonly words: string;
+  /** The read-out whose value stands under the words, by its name in `reads`. */
+  readonly read?: string;
   make(): State;
 }
 

@@ -114,6 +114,7 @@ export function mount(
     element.removeAttribute("aria-busy");
   }
 
+  const shown = (name: string) => printed(made(chapter.reads, name, chapter.id)(store.state, answers));
   const figures = new Map<string, HTMLElement>();
   let first = true;
   for (const place of element.querySelectorAll("x-figure")) {
@@ -122,7 +123,7 @@ export function mount(
     drawings.push((now, told) => figure.draw(now, told));
     const framed = frameFigure(`${chapter.id}-${name}`, figure, place);
     figures.set(name, framed);
-    if (first) (place.closest(".figures") ?? place).before(toolbar(chapter, store, control, figures), notice);
+    if (first) (place.closest(".figures") ?? place).before(toolbar(chapter, store, control, figures, shown), notice);
     first = false;
     place.replaceWith(framed);
   }
@@ -133,7 +134,7 @@ export function mount(
     place.replaceWith(output);
     drawings.push((now, told) => {
       const value = read(now, told);
-      const text = typeof value === "number" ? digits(value) : value;
+      const text = printed(value);
       if (output.textContent !== text) output.textContent = text;
       output.dataset["value"] = String(value);
       output.classList.toggle("sentence", text.length > LONGEST_NUMBER);
@@ -190,6 +191,11 @@ function undoByKeys(event: KeyboardEvent, store: Store<unknown>): void {
   else if (key === "y" || key === "z") store.redo();
   else return;
   event.preventDefault();
+}
+
+/** A read-out as it stands in the text. */
+function printed(value: number | string): string {
+  return typeof value === "number" ? digits(value) : value;
 }
 
 function made<Made>(all: Readonly<Record<string, Made>>, name: string, chapter: string): Made {

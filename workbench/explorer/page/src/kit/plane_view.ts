@@ -4,6 +4,7 @@ import type { Vec2 } from "../library/shapes";
 import { html, svg } from "./elements";
 import { Handles, type Handle, type HandleEvents } from "./handles";
 import { Layer, short, type Shape } from "./layer";
+import { lineColour } from "./zone_colours";
 
 export interface Box {
   readonly low: Vec2;
@@ -153,7 +154,7 @@ export class PlaneView {
     return { tag: "text", attributes: { x, y, ...attributes }, text };
   }
 
-  /** The part of a line that lies in the view; null where there is none. */
+  /** The part of a line that lies in the view; null where there is none. A colour of it is set off from the paper. */
   line(through: Vec2, direction: Vec2, attributes: Shape["attributes"]): Shape | null {
     const [px, py] = this.pixel(through);
     const [dx, dy] = [direction[0] * this.scales[0], -direction[1] * this.scales[1]];
@@ -172,7 +173,9 @@ export class PlaneView {
     }
     if (!(from < to) || !Number.isFinite(to - from)) return null;
     const ends = { x1: px + from * dx, y1: py + from * dy, x2: px + to * dx, y2: py + to * dy };
-    return { tag: "line", attributes: { ...ends, ...attributes } };
+    const { stroke } = attributes;
+    const seen = typeof stroke === "string" && stroke.startsWith("#") ? { stroke: lineColour(stroke) } : {};
+    return { tag: "line", attributes: { ...ends, ...attributes, ...seen } };
   }
 
   private track(points: readonly Vec2[]): string {

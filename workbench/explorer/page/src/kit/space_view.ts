@@ -25,6 +25,15 @@ export interface SpaceHandle extends Omit<Handle, "at"> {
   readonly at: Vec3;
 }
 
+/** A place with a name beside it. */
+export interface SpaceName {
+  readonly at: Vec3;
+  /** The name; an empty one is not drawn. */
+  readonly text: string;
+  /** The colour of a dot at the place itself, if there is to be one. */
+  readonly dot?: string;
+}
+
 export interface SpaceEvents {
   /** The handle is pulled to this place, in the plane through its last one that is parallel to the screen. */
   moved?(id: string, place: Vec3, finished: boolean): void;
@@ -38,6 +47,9 @@ export interface SpaceEvents {
 
 /** Part of the view's radius that its content has at least before the view is drawn anew around it. */
 const LEAST_PART = 0.55;
+
+/** The radius of a dot, in pixels. */
+const DOT = 3.5;
 
 /** The part of a turn that an arrow key makes, in radians. */
 const KEY_TURN = 0.09;
@@ -53,7 +65,7 @@ export class SpaceView {
   private readonly handles: Handles;
   private readonly solids = new Map<string, Solid>();
   private handlesNow: readonly SpaceHandle[] = [];
-  private namesNow: readonly { at: Vec3; text: string }[] = [];
+  private namesNow: readonly SpaceName[] = [];
   private linesNow: readonly { points: readonly Vec3[]; look: string }[] = [];
   private middle: Vec3 = [0, 0, 0];
   private radius = 1;
@@ -140,7 +152,7 @@ export class SpaceView {
 
   draw(
     handles: readonly SpaceHandle[],
-    names: readonly { at: Vec3; text: string }[] = [],
+    names: readonly SpaceName[] = [],
     lines: readonly { points: readonly Vec3[]; look: string }[] = [],
   ): void {
     this.handlesNow = handles;
@@ -193,9 +205,10 @@ export class SpaceView {
         class: look,
       },
     }));
-    const names: Shape[] = this.namesNow.map(({ at, text }) => {
+    const names = this.namesNow.flatMap(({ at, text, dot }): Shape[] => {
       const [x, y] = this.pixel(at);
-      return { tag: "text", attributes: { x: x + 8, y: y - 8 }, text };
+      const mark: Shape[] = dot ? [{ tag: "circle", attributes: { cx: x, cy: y, r: DOT, fill: dot } }] : [];
+      return text ? [...mark, { tag: "text", attributes: { x: x + 8, y: y - 8 }, text }] : mark;
     });
     this.layer.draw([...lines, ...names]);
     this.handles.draw(this.handlesNow.map((handle) => ({ ...handle, at: this.pixel(handle.at) })));

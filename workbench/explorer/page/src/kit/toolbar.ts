@@ -13,6 +13,7 @@ export function toolbar(
   store: Store<unknown>,
   control: Control<unknown>,
   figures: ReadonlyMap<string, HTMLElement>,
+  shown: (read: string) => string,
 ): HTMLElement {
   const note = html("p", { class: "note" });
   const choice = html("select", { "aria-label": "Preset" }, html("option", { value: "" }, "Presets …"));
@@ -55,7 +56,7 @@ export function toolbar(
       ),
     ),
   );
-  if (chapter.slides.length > 0) row.append(button("Slides", () => startSlides(chapter, control, figures)));
+  if (chapter.slides.length > 0) row.append(button("Slides", () => startSlides(chapter, control, figures, shown)));
   const box = html("div", { class: "toolbox" }, row, note);
   // A file may be dropped on any place of the chapter.
   box.addEventListener("datadropped", (event) => ownData((event as CustomEvent<File>).detail));

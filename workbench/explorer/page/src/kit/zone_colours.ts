@@ -24,6 +24,31 @@ function colourOfZone(index: number): string {
   return `#${channels.join("")}`;
 }
 
+/** Bounds of the luminance of a line that stands off from white paper, and from black paper, by a contrast of three. */
+const [LIGHTEST, DARKEST] = [0.3, 0.125];
+
+/** The colour of a line, from that of its zone: darker on light paper and lighter on dark paper, where it must be. */
+export function lineColour(colour: string): string {
+  return `light-dark(${toned(colour, "#000000")}, ${toned(colour, "#ffffff")})`;
+}
+
+/** The colour moved towards black or white until it stands off from the opposite one. */
+function toned(colour: string, goal: "#000000" | "#ffffff"): string {
+  const near = (value: number) => (goal === "#000000" ? value <= LIGHTEST : value >= DARKEST);
+  let now = colour;
+  for (let part = 1; !near(luminance(now)); part += 1)
+    now = mixed([...Array<string>(20 - part).fill(colour), ...Array<string>(part).fill(goal)]);
+  return now;
+}
+
+/** The relative luminance of WCAG 2. */
+function luminance(colour: string): number {
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5]
+    .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
+    .map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+
 /** Colours of crossings that were asked for before: a body has thousands of facets, in few colours. */
 const CROSSINGS = new Map<number, string>();
 
