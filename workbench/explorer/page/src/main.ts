@@ -26,8 +26,8 @@ function head(): HTMLElement {
   return html(
     "header",
     {},
-    html("h1", {}, "Zonotopes as bounding volumes"),
-    html("nav", { "aria-label": "Chapters" }, ...links, themes),
+    html("div", { class: "headline" }, html("h1", {}, "Zonotopes as bounding volumes"), themes),
+    html("nav", { "aria-label": "Chapters" }, ...links),
   );
 }
 

@@ -38,6 +38,8 @@ export function standalone(picture: SVGSVGElement): string {
       const value = style.getPropertyValue(name);
       if (value) element.setAttribute(name, value);
     }
+    // Properties of an element are stronger than its attributes, and they name variables of the page.
+    element.removeAttribute("style");
     for (const name of ["tabindex", "role", "aria-label", "aria-roledescription"]) element.removeAttribute(name);
   });
   copy.querySelectorAll('[display="none"]').forEach((element) => element.remove());

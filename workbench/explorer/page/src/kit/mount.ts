@@ -12,7 +12,7 @@ import { exerciseList } from "./exercises";
 import { frameFigure } from "./figure_frame";
 import { scrubber } from "./scrub";
 import { Store } from "./store";
-import { toolbar } from "./toolbar";
+import { toolbar, type Toolbar } from "./toolbar";
 import { digits } from "./vectors";
 
 export interface Mounted {
@@ -50,6 +50,7 @@ export function mount(
   let resting = 0;
   let speaking = 0;
   let errand = 0;
+  let tools: Toolbar | null = null;
 
   // The chapter is busy from a change until everything that belongs to the new state is drawn.
   const begun = () => {
@@ -60,7 +61,9 @@ export function mount(
   };
   const store = new Store<unknown>(state, (done) => {
     begun();
-    if (done) finished(store.state);
+    if (!done) return;
+    finished(store.state);
+    tools?.refresh();
   });
   const control: Control<unknown> = {
     get state() {
@@ -116,15 +119,16 @@ export function mount(
 
   const shown = (name: string) => printed(made(chapter.reads, name, chapter.id)(store.state, answers));
   const figures = new Map<string, HTMLElement>();
-  let first = true;
   for (const place of element.querySelectorAll("x-figure")) {
     const name = place.getAttribute("name") ?? "";
     const figure = made(chapter.figures, name, chapter.id)(control) as Figure<unknown, unknown>;
     drawings.push((now, told) => figure.draw(now, told));
     const framed = frameFigure(`${chapter.id}-${name}`, figure, place);
     figures.set(name, framed);
-    if (first) (place.closest(".figures") ?? place).before(toolbar(chapter, store, control, figures, shown), notice);
-    first = false;
+    if (!tools) {
+      tools = toolbar(chapter, store, control, figures, shown);
+      (place.closest(".figures") ?? place).before(tools.element, notice);
+    }
     place.replaceWith(framed);
   }
   for (const place of element.querySelectorAll("x-read")) {
@@ -152,7 +156,7 @@ export function mount(
     doing.type = "button";
     doing.addEventListener("click", () => answers !== null && store.commit(act(store.state, answers)));
   }
-  element.querySelector("x-exercises")?.replaceWith(exerciseList(chapter, control, engine));
+  element.querySelector("x-exercises")?.replaceWith(exerciseList(chapter, control, engine, figures));
   element.append(speech);
   listenForData(element);
   const keys = (event: KeyboardEvent) => undoByKeys(event, store);

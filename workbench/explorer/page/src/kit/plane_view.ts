@@ -38,6 +38,12 @@ const MARGIN = 0.12;
 /** Part of the view that its content takes at least before the view is drawn anew around it. */
 const LEAST_PART = 0.4;
 
+/** Pixels that stay free between a text and the edge of the view. */
+const EDGE = 3;
+
+/** The usual width of a letter, and its part below the line, in heights. */
+const [LETTER_WIDTH, DESCENT] = [0.6, 0.25];
+
 export class PlaneView {
   readonly element: HTMLElement;
   readonly svg: SVGSVGElement;
@@ -48,6 +54,8 @@ export class PlaneView {
   private box: Box = { low: [-1, -1], high: [1, 1] };
   private scales: Vec2 = [100, 100];
   private middle: Vec2 = [0, 0];
+  /** The height of letters; it grows with the window and on slides. */
+  private letters = 14;
 
   /** `stretch`: the two axes have scales of their own, as in a graph of a function. */
   constructor(
@@ -68,7 +76,7 @@ export class PlaneView {
       ...events,
       moved: (id, pixels, finished) => events.moved?.(id, this.point(pixels), finished),
     });
-    this.svg.append(this.handles.element);
+    this.svg.append(this.handles.element, this.probe);
     this.element = html("div", { class: "view" }, this.svg);
     this.listen(events);
     new ResizeObserver(() => {
@@ -76,6 +84,7 @@ export class PlaneView {
       if (clientWidth === 0 || clientHeight === 0 || (clientWidth === this.width && clientHeight === this.height))
         return;
       [this.width, this.height] = [clientWidth, clientHeight];
+      this.letters = parseFloat(getComputedStyle(this.probe).fontSize) || this.letters;
       this.frame(this.box);
       resized();
     }).observe(this.element);
@@ -96,6 +105,7 @@ export class PlaneView {
   }
 
   private framed = false;
+  private readonly probe = svg("text", { display: "none" });
 
   /** Shows this box whole. Nothing moves while a handle is held. */
   frame(box: Box): void {
@@ -146,11 +156,13 @@ export class PlaneView {
     return { tag: "circle", attributes: { cx, cy, r, ...attributes } };
   }
 
-  /** A text at a point, moved by some pixels, and kept inside the view. */
+  /** A text at a point, moved by some pixels, and kept inside the view: the whole of it, as far as there is room. */
   text(point: Vec2, text: string, attributes: Shape["attributes"], shift: Vec2 = [0, 0]): Shape {
     const [px, py] = this.pixel(point);
-    const x = Math.min(Math.max(px + shift[0], 8), this.width - 8);
-    const y = Math.min(Math.max(py + shift[1], 14), this.height - 6);
+    const wide = LETTER_WIDTH * this.letters * text.length;
+    const before = { middle: wide / 2, end: wide }[String(attributes["text-anchor"])] ?? 0;
+    const x = Math.max(Math.min(px + shift[0], this.width - EDGE - (wide - before)), EDGE + before);
+    const y = Math.max(Math.min(py + shift[1], this.height - EDGE - DESCENT * this.letters), EDGE + this.letters);
     return { tag: "text", attributes: { x, y, ...attributes }, text };
   }
 
