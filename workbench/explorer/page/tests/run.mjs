@@ -23,7 +23,7 @@ const chapters = readdirSync(resolve(here, "../src/chapters"), { withFileTypes: 
 );
 const tests = await Promise.all([
   ...chapters.map(async ({ name }) => ({ name, ...(await import(`../src/chapters/${name}/test.mjs`)) })),
-  ...["columns", "common", "access", "touch", "widths", "gallery", "speed"].map(async (name) => ({
+  ...["columns", "common", "lesson", "access", "touch", "widths", "gallery", "speed"].map(async (name) => ({
     name,
     ...(await import(`./${name}.mjs`)),
   })),

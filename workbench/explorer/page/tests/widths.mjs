@@ -17,6 +17,12 @@ export async function test(opened, _library, { ids, shots }) {
         for (let round = 0; round < 2; round += 1) await opened.drawn();
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         holds(wide <= width, `${id}: the page is ${wide} pixels wide in a window of ${width}`);
+        const head = await page.evaluate(() => document.querySelector("header").clientHeight);
+        holds(width < 360 || head <= (width < 500 ? 230 : 110), `${id} at ${width}: the head is ${head} pixels high`);
+        const tables = await page
+          .locator(".wide")
+          .evaluateAll((all) => all.map((one) => one.scrollWidth - one.clientWidth));
+        holds(width < 360 || Math.max(0, ...tables) <= 0, `${id} at ${width}: a table is ${tables} pixels too wide`);
         const over = await page.evaluate(overlaps);
         holds(over.length === 0, `${id} at ${width}: ${over.join("; ")}`);
         if (shots && width !== 320)

@@ -96,7 +96,7 @@ function lead(figure: HTMLElement, item: HTMLElement, title: string): void {
     item.scrollIntoView({ block: "center" });
     item.querySelector<HTMLElement>(".reply :is(input, .check)")?.focus({ preventScroll: true });
   });
-  const note = html("p", { class: "set-up" }, `This is set up for the exercise “${title}”. `, back);
+  const note = html("p", { class: "set-up" }, `The exercise “${title}” was set up here. `, back);
   figure.prepend(note);
   figure.scrollIntoView({ block: "start" });
   back.focus({ preventScroll: true });
