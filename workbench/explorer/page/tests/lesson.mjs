@@ -170,8 +170,7 @@ async function labels(opened) {
       return [...document.querySelectorAll("#tiling-arrangement .names text")]
         .map((one) => [one.textContent, one.getBoundingClientRect()])
         .filter(
-          ([, box]) =>
-            box.left < view.left || box.right > view.right || box.top < view.top - 5 || box.bottom > view.bottom,
+          ([, box]) => box.left < view.left || box.right > view.right || box.top < view.top || box.bottom > view.bottom,
         )
         .map(([name]) => name);
     });
