@@ -76,10 +76,10 @@ async function pulled(opened, selector, name) {
 async function typed(opened, label, name) {
   const { page } = opened;
   await listen(page);
-  const field = page.getByRole("spinbutton", { name: label });
-  await field.focus();
-  for (let press = 0; press < 60; press += 1) {
-    await page.keyboard.press("ArrowUp");
+  const field = page.getByLabel(label, { exact: true });
+  for (let round = 1; round <= 60; round += 1) {
+    await field.fill(String(round / 10));
+    await field.press("Enter");
     await page.waitForTimeout(20);
   }
   return [name, ...(await quantiles(page))];
