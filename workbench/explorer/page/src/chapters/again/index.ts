@@ -7,6 +7,7 @@ import { digits } from "../../kit/vectors";
 import { reduce, type FacetName } from "../../library/space";
 import type { Vec3 } from "../../library/shapes";
 import { cuttingFigure } from "./cutting_figure";
+import { verdictSentence } from "../words";
 import { exercises } from "./exercises";
 import { effortFigure, reducedFigure, said, walkFigure } from "./figures";
 import {
@@ -74,7 +75,7 @@ export const againChapter: Chapter<State, Answers, Late> = {
     count: (state) => state.generators.length,
     lower: (_, { reduced }) => reduced.result.hausdorff.lower,
     upper: (_, { reduced }) => reduced.result.hausdorff.upper,
-    verdict: (_, { verdict }) => (verdict ? `${verdict.verdict}, ${verdict.reason}.` : "it is checking …"),
+    verdict: (_, { verdict }) => (verdict ? verdictSentence(verdict) : "it is checking …"),
     standing,
     trapezoids: (_, { cut }) => cut?.cutting.trapezoids.length ?? "…",
     crossing: (_, { cut }) => cut?.cutting.limit ?? "…",

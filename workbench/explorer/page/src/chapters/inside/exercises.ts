@@ -6,6 +6,7 @@ import { believe, gauge, locate, meet } from "../../library/space";
 import type { Body, Vec3 } from "../../library/shapes";
 import { CUBE, RHOMBIC } from "../../data/bodies";
 import { beyondByALastPlace } from "./presets";
+import { beliefWords } from "./rival_figure";
 import { bodyOf, first, otherOf, question, sumOf, type State } from "./state";
 
 const cube: Body = { center: [0, 0, 0], generators: CUBE };
@@ -26,7 +27,7 @@ export const exercises: readonly Exercise<State>[] = [
       return {
         right,
         because: right
-          ? "The largest coordinate decides: the cube is the unit ball of the maximum norm."
+          ? "The largest coordinate decides: the cube holds the points with all coordinates between −1 and 1."
           : "Which of the three coordinates leaves the cube first?",
       };
     },
@@ -71,7 +72,7 @@ export const exercises: readonly Exercise<State>[] = [
       const { member } = asking.ask(locate(point, cube)).result;
       const { belief } = believe(asking, point, cube);
       const truth = member ? 2 : belief === "disjoint" ? 0 : 1;
-      return { right: reply === truth, because: `Proof: ${member ? "inside" : "outside"}. Rival: ${belief}.` };
+      return { right: reply === truth, because: `Proof: ${member ? "inside" : "outside"}. Rival: ${beliefWords(belief)}.` };
     },
   },
   {

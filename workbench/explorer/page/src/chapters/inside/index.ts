@@ -5,10 +5,11 @@ import type { Chapter, OwnData } from "../../kit/chapter";
 import { add3, digits, scale3, tidy3 } from "../../kit/vectors";
 import { CUBE, randomGenerators } from "../../data/bodies";
 import type { PlaneOfDirections } from "../../library/pictures";
+import { verdictSentence } from "../words";
 import { directionsFigure } from "./directions_figure";
 import { exercises } from "./exercises";
 import { beyondByALastPlace, presets } from "./presets";
-import { proofSentence, reachIn, statusWord } from "./proof";
+import { gaugeTold, gaugeWords, proofSentence, reachIn, statusWord } from "./proof";
 import { beliefWords, rivalFigure } from "./rival_figure";
 import { insideSearchFigure } from "./search_figure";
 import { insideSpaceFigure } from "./space_figure";
@@ -41,8 +42,9 @@ export const insideChapter: Chapter<State, Answers, Late> = {
   reads: {
     status: statusWord,
     proof: proofSentence,
-    verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
-    gauge: (_, { gauge }) => gauge?.gauge ?? "…",
+    verdict: (_, { late }) => (late ? verdictSentence(late.verdict) : "it is checking …"),
+    gauge: (_, answers) => gaugeTold(answers),
+    gaugeWords,
     least: (state, { late }) => leastReach(state, late?.directions ?? null),
     apart: apartSentence,
     belief: beliefSentence,
@@ -97,7 +99,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
       { name: "command", text: `printf '%s\\n' '${line}' | zonobench solve` },
       {
         name: "JSON",
-        text: state.others.length > 0 ? line : JSON.stringify(bodyOf(state)),
+        text: state.others.length > 0 ? line : JSON.stringify({ point: state.point, ...bodyOf(state) }),
       },
     ];
   },

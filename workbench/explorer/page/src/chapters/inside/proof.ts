@@ -7,6 +7,9 @@ import { sumOf, type Answers, type State } from "./state";
 /** Coefficients that a sentence lists. */
 const LISTED = 12;
 
+/** Coefficients up to which the figure draws the walk to the point. */
+export const WALKED = 60;
+
 /** A separating direction as doubles, scaled to the length 1 for pictures and sentences. */
 export function direction(answers: Answers): Vec3 | null {
   const { certificate } = answers.located;
@@ -34,11 +37,18 @@ export function proofSentence(state: State, answers: Answers): string {
     const [far, reach] = [dot3(u, state.point), reachIn(state, u)];
     const goal = two ? "the centre of the second body lies" : "the point lies";
     const body = two ? "the two bodies together reach" : "the body reaches";
+    const centre = two ? "that of the first" : "the centre";
+    const begin = `Take the direction u = ${place3(u)}. In this direction ${goal}`;
+    const end = "the plane at right angles to u between them separates the two.";
+    if (far <= reach)
+      return (
+        `${begin} beyond ${centre} farther than ${body}, the sum of all |u · v|: the gap is less than the rounding ` +
+        `of this sentence, but exact numbers show it, and ${end}`
+      );
+    const [farTold, reachTold] = told(far, reach);
     return (
-      `Take the direction u = ${place3(u)}. In this direction ${goal} ${digits(far)} beyond the ` +
-      `centre, but ${body} only ${digits(reach)} far: the sum of all |u · v|. So there is a gap ` +
-      `of ${digits(far - reach)}, and the plane at right angles to u between them separates the ` +
-      "two."
+      `${begin} ${farTold} beyond ${centre}, but ${body} only ${reachTold} far: the sum of all |u · v|. So there is a ` +
+      `gap of ${digits(far - reach)}, and ${end}`
     );
   }
   const numbers = coefficients(answers) ?? [];
@@ -47,12 +57,35 @@ export function proofSentence(state: State, answers: Answers): string {
     .map((value) => digits(value, 3))
     .join(", ");
   const more = numbers.length > LISTED ? `, and ${numbers.length - LISTED} more` : "";
-  const goal = two ? "the way from centre to centre is" : "the point is";
+  const goal = two ? "the way from centre to centre is" : "the point is the centre plus";
+  const path =
+    numbers.length <= WALKED ? " The dashed path in the figure takes one generator after the other and arrives." : "";
   return (
-    `With the coefficients ${listed}${more}, all between −1 and 1, ${goal} the centre plus ` +
-    "the sum of coefficients times generators. The dashed path in the figure takes one " +
-    "generator after the other and arrives."
+    `With the coefficients ${listed}${more}, all between −1 and 1, ${goal} the sum of coefficients times ` +
+    `generators.${path}`
   );
+}
+
+/** Two numbers as a sentence that compares them tells them: with all digits where a few would be the same. */
+function told(one: number, other: number): [string, string] {
+  const short: [string, string] = [digits(one), digits(other)];
+  return short[0] === short[1] ? [String(one), String(other)] : short;
+}
+
+/** The gauge: with all digits where a few would say 1. */
+export function gaugeTold({ gauge }: Answers): number | string {
+  if (!gauge) return "…";
+  const value = gauge.gauge;
+  return digits(value) === "1" && value !== 1 ? String(value) : value;
+}
+
+/** The gauge in words, after its number. */
+export function gaugeWords(state: State): string {
+  return state.others.length > 0
+    ? "so many times the generators of both bodies must be taken to reach from the first centre to the second exactly. " +
+        "Up to 1 the bodies meet."
+    : "so many times the body must be taken about its centre to reach the point exactly. Up to 1 the point is in the " +
+        "body.";
 }
 
 /** The word for a status. */

@@ -1,6 +1,7 @@
 /** The view of the bodies, the point, and what proves where it is: a plane between them, or a walk to the point. */
 
 import type { Control, Figure } from "../../kit/chapter";
+import { html } from "../../kit/elements";
 import { drawPlane } from "../../kit/separating_plane";
 import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
@@ -8,7 +9,7 @@ import { add3, dot3, length3, place3, scale3, tidy3 } from "../../kit/vectors";
 import { mixed, zoneColour } from "../../kit/zone_colours";
 import type { Faces } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
-import { coefficients, direction, reachIn } from "./proof";
+import { coefficients, direction, reachIn, WALKED } from "./proof";
 import { generatorsOf, walk, type Answers, type State } from "./state";
 
 /** Half of the side of the separating square, as a part of the reach of the picture. */
@@ -26,20 +27,24 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
   view.put("plane", plane);
   view.put("body", body);
   view.put("other", other);
+  const note = html("p", { class: "note", hidden: true });
   return {
-    element: view.element,
+    element: html("div", {}, view.element, note),
     svg: () => view.svg(),
     draw(state, answers) {
       draw(body, answers.body, "#0072b2");
       draw(other, answers.other, "#e69f00");
       other.place((vertex) => add3(vertex, state.point));
+      const count = generatorsOf(state).length;
+      note.hidden = answers.body !== null;
+      note.textContent = answers.body ? "" : `The body of ${count} generators has too many facets to be drawn.`;
       const places: Vec3[] = [[0, 0, 0], state.point, ...(answers.body?.vertices ?? []), ...other.shape.vertices];
       const reach = Math.max(...places.map(length3));
       const u = direction(answers);
       drawGap(plane, state, u, reach);
       view.fit([...places, ...plane.shape.vertices]);
       const path = coefficients(answers);
-      const drawn = path && path.length <= 60 ? [{ points: walk(state, path), look: "best" }] : [];
+      const drawn = path && path.length <= WALKED ? [{ points: walk(state, path), look: "best" }] : [];
       const arrow = u ? [{ points: [scale3(u, reachIn(state, u)), state.point], look: "thin" }] : [];
       const name = state.others.length > 0 ? "c" : "p";
       view.draw(

@@ -37,7 +37,9 @@ export function arcsFigure(control: Control<State>): Figure<State, Answers> {
           flat(sub3(turned(from, axis, (angle * piece) / PIECES), from)),
         );
       });
-      const farthest = Math.max(...arcs.map((arc) => length2(arc[PIECES] as Vec2)), 1e-9);
+      // Without a turn the arcs are points; what the computation of a point leaves is rounding.
+      const radius = angle === 0 ? 0 : Math.max(0, ...arcs.map((arc) => length2(arc[PIECES] as Vec2)));
+      const farthest = radius || 1e-9;
       const square: Vec2[] = [
         [-farthest, -farthest],
         [farthest, -farthest],
@@ -61,7 +63,7 @@ export function arcsFigure(control: Control<State>): Figure<State, Answers> {
         view.dot([0, 0], 4, { fill: "var(--ink)" }),
       ]);
       view.draw("names", [
-        view.text([0, farthest], `radius ${digits(farthest)}`, { class: "quiet", "text-anchor": "middle" }, [0, -8]),
+        view.text([0, farthest], `radius ${digits(radius)}${radius === 0 ? ": no turn, no arcs" : ""}`, { class: "quiet", "text-anchor": "middle" }, [0, -8]),
       ]);
     },
   };

@@ -7,6 +7,7 @@ import { collide, type Motion } from "../../library/space";
 import { randomGenerators } from "../../data/bodies";
 import type { Vec3 } from "../../library/shapes";
 import { arcsFigure } from "./arcs_figure";
+import { verdictSentence } from "../words";
 import { exercises } from "./exercises";
 import { motionFigure } from "./motion_figure";
 import { presets } from "./presets";
@@ -28,7 +29,7 @@ export const motionChapter: Chapter<State, Answers, Late> = {
   figures: { motion: motionFigure, arcs: arcsFigure, swept: sweptFigure },
   reads: {
     status: statusSentence,
-    verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
+    verdict: (_, { late }) => (late ? verdictSentence(late.verdict) : "it is checking …"),
     hits: (_, { hits }) => hits.length,
     missed: missedSentence,
   },

@@ -5,6 +5,7 @@ import { digits, randoms, tidy } from "../../kit/vectors";
 import type { Chapter, OwnData } from "../../kit/chapter";
 import { leastLength } from "../../library/plane";
 import type { Vec2 } from "../../library/shapes";
+import { verdictSentence } from "../words";
 import { exercises } from "./exercises";
 import { alongFigure, dualFigure, fewFigure } from "./figures";
 import { EPSILON, first, later, MOST_POINTS, questions, read, type Answers, type Late, type State } from "./state";
@@ -81,7 +82,7 @@ export const shortChapter: Chapter<State, Answers, Late> = {
     few: (_, { few }) => few.length,
     ratio: (_, { few }) => few.ratio,
     generators: (_, { all }) => all.result.generators.length,
-    verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
+    verdict: (_, { late }) => (late ? verdictSentence(late.verdict) : "it is checking …"),
   },
   scrubs: {
     directions: {

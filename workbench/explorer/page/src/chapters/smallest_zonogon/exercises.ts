@@ -30,6 +30,9 @@ const MIDDLES: readonly Vec2[] = [
 /** The part by which an area may exceed the least one in the exercise on finding the centre. */
 const CLOSE = 0.01;
 
+/** The part by which a zonogon may exceed the hull that it is to be: keys and pointers move by whole pixels. */
+const SPARE = 0.005;
+
 /** The part by which a number of the reader may be off. */
 const ROUNDING = 0.005;
 
@@ -141,7 +144,7 @@ export const exercises: readonly Exercise<State>[] = [
       }, 0);
       if (state.points.length < 5 || area === 0)
         return { right: false, because: "Take at least five points that do not lie on a line." };
-      const right = Number(least.area) <= area * (1 + 1e-3);
+      const right = Number(least.area) <= area * (1 + SPARE);
       return {
         right,
         because:

@@ -5,6 +5,7 @@ import { digits } from "../../kit/vectors";
 import { lineOf } from "../../engine/questions";
 import { leastArea } from "../../library/plane";
 import type { Vec2 } from "../../library/shapes";
+import { numberOf, verdictSentence } from "../words";
 import { exercises } from "./exercises";
 import { lineFigure } from "./line_figure";
 import { presets, randomPoints } from "./presets";
@@ -14,6 +15,9 @@ import { cellsOfAll, pruningFigure, searchFigure } from "./search_figure";
 import { first, later, questions, read, type Answers, type Late, type State } from "./state";
 import text from "./text.html";
 import { zonogonFigure } from "./zonogon_figure";
+
+/** Digits of numbers that a sentence compares. */
+const COMPARED = 8;
 
 export const smallestZonogon: Chapter<State, Answers, Late> = {
   id: "smallest-zonogon",
@@ -35,15 +39,17 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
   },
   reads: {
     area: (_, { zonogon }) => zonogon.area,
-    count: (state) => state.points.length,
-    corners: (_, { zonogon }) => zonogon.hull.length,
+    count: (state) => numberOf(state.points.length, "point"),
+    corners: (_, { zonogon }) => numberOf(zonogon.hull.length, "corner"),
     least: (_, { best }) => best.result.area,
     excess: (_, { zonogon, best }) => excess(zonogon.area, Number(best.result.area)),
     bends: (_, { line }) => Math.max(0, line.at.length - 2),
     closing: (state, answers) => closing(state, answers),
-    bound: (_, { best }) => best.result.lower_bound,
+    // The bound and the area are compared, so both have digits enough to be compared.
+    bound: (_, { best }) => digits(best.result.lower_bound, COMPARED),
+    reached: (_, { best }) => digits(best.result.area, COMPARED),
     pruned: (_, { late }) => prunedSentence(late),
-    verdict: (_, { late }) => (late ? `${late.verdict.verdict}, ${late.verdict.reason}.` : "it is checking …"),
+    verdict: (_, { late }) => (late ? verdictSentence(late.verdict) : "it is checking …"),
   },
   scrubs: {
     turn: {
@@ -87,7 +93,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     {
       figure: "search",
       title: "The search",
-      words: "A vertical line through the middle candidate; half of them are discarded.",
+      words: "A vertical line through the middle candidate; green: the lowest point on it. Half of the candidates go.",
       make: first,
     },
     {
@@ -113,7 +119,7 @@ export const smallestZonogon: Chapter<State, Answers, Late> = {
     return { ...state, points, center: middle(points), step: 0 };
   },
   sentence: (state, { zonogon, best }) =>
-    `${state.points.length} points; the area of the zonogon is ${digits(zonogon.area)}, the ` +
+    `${numberOf(state.points.length, "point")}; the area of the zonogon is ${digits(zonogon.area)}, the ` +
     `least area ${digits(best.result.area)}.`,
 };
 

@@ -4,13 +4,19 @@ import type { Control, Figure } from "../../kit/chapter";
 import { standalone } from "../../kit/downloads";
 import type { Shape } from "../../kit/layer";
 import { boxAround, PlaneView } from "../../kit/plane_view";
-import { add2, digits, scale2 } from "../../kit/vectors";
+import { add2, digits, scale2, sub2 } from "../../kit/vectors";
 import type { Vec2 } from "../../library/shapes";
 import { balance } from "./proof";
 import type { Answers, State } from "./state";
 
 /** Edges up to which each carries its coefficient as text. */
 const TEXT_LIMIT = 14;
+
+/** Pixels between an edge and the middle of its text: across, where texts are wide, and upwards. */
+const BESIDE: Vec2 = [22, 16];
+
+/** Pixels from the middle of a text down to the line on which it stands. */
+const HALF_TEXT = 4;
 
 export function proofFigure(control: Control<State>): Figure<State, Answers> {
   const view = new PlaneView(
@@ -36,14 +42,9 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
         if (edge.coefficient !== 0)
           edges.push(view.path([edge.from, end], { class: look, "stroke-width": 1 + 4 * Math.abs(edge.coefficient) }));
         if (corners.length <= TEXT_LIMIT) {
-          names.push(
-            view.text(
-              add2(edge.from, scale2(edge.vector, 0.5)),
-              digits(edge.coefficient, 3),
-              { "text-anchor": "middle" },
-              [0, -5],
-            ),
-          );
+          const middle = add2(edge.from, scale2(edge.vector, 0.5));
+          const shift = inwards(view, middle, center);
+          names.push(view.text(middle, digits(edge.coefficient, 3), { "text-anchor": "middle" }, shift));
         }
       }
       view.draw("edges", edges);
@@ -51,4 +52,11 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
       view.draw("names", [...names, view.text(center, "best centre", { class: "quiet" }, [8, 4])]);
     },
   };
+}
+
+/** The shift in pixels that puts a text beside an edge, on the side of the centre. */
+function inwards(view: PlaneView, from: Vec2, center: Vec2): Vec2 {
+  const [x, y] = sub2(view.pixel(center), view.pixel(from));
+  const size = Math.hypot(x, y) || 1;
+  return [(BESIDE[0] * x) / size, (BESIDE[1] * y) / size + HALF_TEXT];
 }

@@ -8,6 +8,7 @@ import { Stepper } from "../../kit/stepper";
 import { digits, sub2 } from "../../kit/vectors";
 import type { AreaSearch, Pruning } from "../../library/pictures";
 import type { Vec2 } from "../../library/shapes";
+import { numberOf } from "../words";
 import type { Answers, Late, State } from "./state";
 
 /** A sentence about the line, but for its end. */
@@ -21,7 +22,7 @@ const SIDES: Readonly<Record<AreaSearch["steps"][number]["side"], string>> = {
 export function searchFigure(control: Control<State>): Figure<State, Answers> {
   const view = new PlaneView(
     "The lines ℓ_t and the vertical line of the search",
-    ["lines", "discarded", "vertices", "line", "names"],
+    ["lines", "discarded", "vertices", "line"],
     {},
     () => control.redraw(),
   );
@@ -32,7 +33,7 @@ export function searchFigure(control: Control<State>): Figure<State, Answers> {
     draw(state, answers) {
       const search = answers.late?.search;
       if (!search || search.steps.length === 0) {
-        for (const layer of ["lines", "discarded", "vertices", "line", "names"]) view.draw(layer, []);
+        for (const layer of ["lines", "discarded", "vertices", "line"]) view.draw(layer, []);
         stepper.draw(
           0,
           1,
@@ -64,12 +65,8 @@ export function searchFigure(control: Control<State>): Figure<State, Answers> {
       const line = view.line([step.x, 0], [0, 1], { class: "sweep" });
       const minimum = step.minimum ? [view.dot(step.minimum, 6, { fill: "var(--green)" })] : [];
       view.draw("line", [...(line ? [line] : []), ...minimum]);
-      view.draw(
-        "names",
-        step.minimum ? [view.text(step.minimum, "least f on the line", { class: "quiet" }, [10, 4])] : [],
-      );
       const sentence =
-        `Step ${now + 1} of ${search.steps.length}: ${step.candidates} candidates. The line x = ` +
+        `Step ${now + 1} of ${search.steps.length}: ${numberOf(step.candidates, "candidate")}. The line x = ` +
         `${digits(step.x)} goes through the middle one. ${SIDES[step.side]}; candidates left: ` +
         `${step.left}.`;
       stepper.draw(now, search.steps.length, sentence);

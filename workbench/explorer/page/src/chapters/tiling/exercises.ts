@@ -17,6 +17,15 @@ const SIX: readonly Vec3[] = [
   [0.3, -0.8, 0.4],
 ];
 
+/** Five generators of whole numbers in general position: their sums are exact, those of decimals often are not. */
+const WHOLE: readonly Vec3[] = [
+  [2, 0, 1],
+  [1, 2, 1],
+  [-2, 1, 2],
+  [-1, -2, 1],
+  [1, -2, 3],
+];
+
 export const exercises: readonly Exercise<State>[] = [
   {
     id: "facets",
@@ -59,7 +68,7 @@ export const exercises: readonly Exercise<State>[] = [
     title: "Make a hexagon",
     task: "<p>Change the generators so that one tile has six sides. Typing whole numbers is easier than dragging.</p>",
     reply: "figure",
-    setting: first,
+    setting: () => ({ ...first(), generators: WHOLE, lit: null }),
     check(_, state, { ask }) {
       if (state.generators.length > TILING_AT_ONCE) return { right: false, because: "Take fewer generators." };
       const most = Math.max(0, ...ask(tiling(state.generators)).result.tiles.map((tile) => 2 * tile.classes.length));
@@ -69,7 +78,7 @@ export const exercises: readonly Exercise<State>[] = [
           most >= 6
             ? `There is a tile with ${most} sides.`
             : "All tiles have four sides. Three generators must lie in one plane through the origin: " +
-              "make the third the sum of two others.",
+              "make the third the sum of two others, with whole numbers: 0.35 + 1 is not exactly 1.35 in a computer.",
       };
     },
   },

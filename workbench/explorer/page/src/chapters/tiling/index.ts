@@ -5,6 +5,7 @@ import { lineOf } from "../../engine/questions";
 import type { Chapter, Control, Figure, OwnData } from "../../kit/chapter";
 import { Stepper } from "../../kit/stepper";
 import { count } from "../../library/space";
+import { numberOf } from "../words";
 import { arrangementFigure } from "./arrangement_figure";
 import { exercises } from "./exercises";
 import { generatorsFigure } from "./generators_figure";
@@ -35,7 +36,7 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
     sweep: sweepFigure,
   },
   reads: {
-    count: (state) => state.generators.length,
+    count: (state) => numberOf(state.generators.length, "generator"),
     vertices: (_, { counted }) => counted?.vertices ?? "…",
     edges: (_, { counted }) => counted?.edges ?? "…",
     facets: (_, { counted }) => counted?.facets ?? "…",
@@ -115,7 +116,7 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
   },
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 6), sweep: 5, lit: null }),
   sentence: (state, { tiling }) =>
-    `${state.generators.length} generators, ${tiling?.tiles.length ?? "some"} tiles. ${litSentence(tiling, state.lit)}`,
+    `${numberOf(state.generators.length, "generator")}, ${tiling?.tiles.length ?? "some"} tiles. ${litSentence(tiling, state.lit)}`,
 };
 
 /** Volumes are exact fractions; long ones are shown as decimals. */
@@ -165,8 +166,8 @@ function sweepFigure(control: Control<State>): Figure<State, Answers> {
       stepper.draw(
         rank,
         tiling.tiles.length + 1,
-        `${rank} tiles on the left of the separator, ${tiling.tiles.length - rank} on its right; ` +
-          `it has ${steps} steps.`,
+        `${numberOf(rank, "tile")} on the left of the separator, ${tiling.tiles.length - rank} on its right; ` +
+          `it has ${numberOf(steps, "step")}.`,
       );
     },
   };

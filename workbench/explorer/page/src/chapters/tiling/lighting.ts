@@ -2,6 +2,7 @@
 
 import type { Control } from "../../kit/chapter";
 import type { Tiling } from "../../library/pictures";
+import { numberOf } from "../words";
 import type { Lit, State } from "./state";
 
 /** Moves the light by a key; true if the key was one for it. */
@@ -36,16 +37,16 @@ export function litSentence(tiling: Tiling | null, lit: Lit | null): string {
   if (lit.kind === "class") {
     const tiles = tiling.tiles.filter((tile) => tile.classes.includes(lit.index)).length;
     return (
-      `Line and zone of generator ${ofClass(lit.index)}: the line has ${tiles} crossings, the ` +
-      `upper half of the zone ${tiles} facets.`
+      `Line and zone of generator ${ofClass(lit.index)}: the line has ${numberOf(tiles, "crossing")}, the ` +
+      `upper half of the zone ${numberOf(tiles, "facet")}.`
     );
   }
   if (lit.kind === "corner") {
     const tiles = tiling.tiles.filter((tile) => tile.left.includes(lit.index) || tile.right.includes(lit.index)).length;
     const sides = tiling.edges.filter((edge) => edge.ends.includes(lit.index)).length;
     return (
-      `Corner ${lit.index + 1}: ${sides} edges and ${tiles} tiles meet in it, so its cell has ` +
-      `${sides} sides and ${tiles} corners.`
+      `Corner ${lit.index + 1}: ${numberOf(sides, "edge")} and ${numberOf(tiles, "tile")} meet in it, so its cell has ` +
+      `${numberOf(sides, "side")} and ${numberOf(tiles, "corner")}.`
     );
   }
   const tile = tiling.tiles[lit.index];

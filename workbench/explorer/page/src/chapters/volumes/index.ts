@@ -5,6 +5,7 @@ import type { Chapter, OwnData } from "../../kit/chapter";
 import { digits, place3, randoms, tidy } from "../../kit/vectors";
 import { meshLevel } from "../../library/meshes";
 import type { Vec3 } from "../../library/shapes";
+import { verdictSentence } from "../words";
 import { exercises } from "./exercises";
 import { levelFigure } from "./level_figure";
 import { presets } from "./presets";
@@ -48,7 +49,7 @@ export const volumesChapter: Chapter<State, Answers, Late> = {
     generators: (_, { level }) => level?.nodes.reduce((sum, { generators }) => sum + generators.length, 0) ?? WAITING,
     total: (_, { level }) => level?.total ?? WAITING,
     verdict: (_, { level }) =>
-      level ? `${level.verdict.verdict}, ${level.verdict.reason}.` : "it is waiting for the library …",
+      level ? verdictSentence(level.verdict) : "it is waiting for the library …",
     meeting,
     fewest,
   },
