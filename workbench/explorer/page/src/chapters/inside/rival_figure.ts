@@ -39,7 +39,10 @@ export function rivalFigure(control: Control<State>): Figure<State, Answers> {
       const last = nearest[nearest.length - 1];
       view.draw(
         [],
-        [{ at: state.point, text: "p" }, ...vertices.map((at, index) => ({ at, text: String(index + 1) }))],
+        [
+          { at: state.point, text: "p", dot: "var(--red)" },
+          ...vertices.map((at, index) => ({ at, text: String(index + 1), dot: "var(--ink)" })),
+        ],
         [
           { points: vertices, look: "thin" },
           { points: nearest, look: "best" },

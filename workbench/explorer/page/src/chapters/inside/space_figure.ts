@@ -59,7 +59,7 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
             name,
           },
         ],
-        [{ at: [0, 0, 0], text: "·" }],
+        [{ at: [0, 0, 0], text: "", dot: "var(--ink)" }],
         [...drawn, ...(answers.body ? [] : arrow)],
       );
     },

@@ -21,6 +21,12 @@ const SHOWN_PART = 0.85;
 /** Lines up to which each carries the number of its generator. */
 const NAME_LIMIT = 14;
 
+/** Pixels between the end of a line and its name. */
+const BESIDE = 7;
+
+/** Pixels from which on a name is far enough from others. */
+const ENOUGH = 40;
+
 export function arrangementFigure(control: Control<State>): Figure<State, Answers> {
   let shown: Tiling | null = null;
   const light = (lit: Lit | null) => {
@@ -49,21 +55,24 @@ export function arrangementFigure(control: Control<State>): Figure<State, Answer
       view.fit(boxAround(shownCrossings(tiling)));
       view.draw("cell", cell(view, tiling, state.lit));
       const names: Shape[] = [];
+      const at = sweepPlace(tiling, state.sweep);
+      const labels = new Labels(view, at === null || state.isPlain ? null : view.pixel([at, 0])[0]);
       const lines = tiling.classes.flatMap(({ line, generators }, index) => {
         if (!line) return [];
         const lit = isLit(tiling, index, state.lit);
         const drawn = drawLine(view, line, { stroke: classColour(tiling, index), "stroke-width": lit ? 4.5 : 2 });
         if (drawn && tiling.classes.length <= NAME_LIMIT) {
-          const { x2, y2 } = drawn.attributes;
-          names.push(
-            view.text(view.point([Number(x2), Number(y2)]), generators.map((one) => one + 1).join(", "), {}, [-14, 4]),
-          );
+          const { x1, y1, x2, y2 } = drawn.attributes;
+          const ends: Vec2[] = [
+            [Number(x2), Number(y2)],
+            [Number(x1), Number(y1)],
+          ];
+          names.push(labels.put(ends, generators.map((one) => one + 1).join(", ")));
         }
         return drawn ? [drawn] : [];
       });
       view.draw("lines", lines);
-      const at = sweepPlace(tiling, state.sweep);
-      const sweep = at === null ? null : view.line([at, 0], [0, 1], { class: "sweep" });
+      const sweep = at === null || state.isPlain ? null : view.line([at, 0], [0, 1], { class: "sweep" });
       view.draw("sweep", sweep ? [sweep] : []);
       view.draw(
         "crossings",
@@ -80,6 +89,32 @@ export function arrangementFigure(control: Control<State>): Figure<State, Answer
       view.draw("names", names);
     },
   };
+}
+
+/** Names at the ends of lines, each at the end that is farther from the sweep and from the names before. */
+class Labels {
+  private readonly taken: Vec2[] = [];
+
+  constructor(
+    private readonly view: PlaneView,
+    private readonly sweep: number | null,
+  ) {}
+
+  put(ends: readonly Vec2[], name: string): Shape {
+    const free = ([x, y]: Vec2) =>
+      Math.min(
+        this.sweep === null ? Infinity : Math.abs(x - this.sweep),
+        ...this.taken.map(([u, v]) => Math.hypot(x - u, y - v)),
+      );
+    const [first, second] = ends as [Vec2, Vec2];
+    const end = Math.min(free(second), ENOUGH) > Math.min(free(first), ENOUGH) ? second : first;
+    this.taken.push(end);
+    const isRight = end[0] > this.view.width / 2;
+    return this.view.text(this.view.point(end), name, { "text-anchor": isRight ? "end" : "start" }, [
+      isRight ? -BESIDE : BESIDE,
+      4,
+    ]);
+  }
 }
 
 /** The abscissa of L_k: just right of the k-th crossing. */

@@ -2,6 +2,7 @@
 
 import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
+import { NUMBER_HINT, readNumber } from "../../kit/number_reply";
 import { zoneColour } from "../../kit/zone_colours";
 import type { Vec3 } from "../../library/shapes";
 import { MOST_GENERATORS, type Answers, type State } from "./state";
@@ -13,6 +14,7 @@ const AXES = ["x", "y", "z"] as const;
 
 export function generatorsFigure(control: Control<State>): Figure<State, Answers> {
   const body = html("tbody");
+  const problem = html("p", { class: "note", role: "status" });
   const more = html("p", { class: "note" });
   const add = button("Add a generator", () => {
     const { state } = control;
@@ -32,11 +34,15 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
   const begin = (count: number) => {
     rows = Array.from({ length: count }, (_, index) =>
       AXES.map((axis, place) => {
-        const field = html("input", { type: "number", step: 0.1, "aria-label": `Generator ${index + 1}, ${axis}` });
+        const label = `Generator ${index + 1}, ${axis}`;
+        const field = html("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label });
         field.addEventListener("change", () => {
-          const value = field.valueAsNumber;
-          if (!Number.isFinite(value)) return;
           const { state } = control;
+          const value = readNumber(field.value);
+          // The field shows the number that the body has: what was typed is written anew, or taken back.
+          field.value = String(value ?? state.generators[index]?.[place] ?? 0);
+          problem.textContent = value === null ? NUMBER_HINT : "";
+          if (value === null) return;
           const put = (one: Vec3) => one.map((old, at) => (at === place ? value : old)) as unknown as Vec3;
           control.commit({ ...state, generators: state.generators.map((one, at) => (at === index ? put(one) : one)) });
         });
@@ -60,7 +66,7 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
     );
   };
   return {
-    element: html("div", {}, html("div", { class: "wide" }, table), more, add),
+    element: html("div", {}, html("div", { class: "wide" }, table), problem, more, add),
     draw(state) {
       const count = Math.min(state.generators.length, ROW_LIMIT);
       if (rows.length !== count) begin(count);

@@ -17,6 +17,9 @@ import { first, later, MOST_GENERATORS, questions, read, type Answers, type Late
 import text from "./text.html";
 import { tilingFigure } from "./tiling_figure";
 
+/** A corner inside the tiling of the first generators, at which three tiles meet. */
+const CORNER = 3;
+
 export const tilingChapter: Chapter<State, Answers, Late> = {
   id: "tiling",
   title: "Arrangement, tiling, zonohedron",
@@ -53,7 +56,7 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
       most: 3160,
       step: 1,
       get: (state) => state.sweep,
-      set: (state, sweep) => ({ ...state, sweep }),
+      set: (state, sweep) => ({ ...state, sweep, isPlain: false }),
     },
   },
   actions: {},
@@ -62,43 +65,58 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
       figure: "space",
       title: "Five vectors, one body",
       words: "Every pair of generators spans a facet above and a facet below.",
-      make: () => ({ ...first(), lit: null }),
+      make: () => ({ ...first(), lit: null, isPlain: true }),
     },
     {
       figure: "tiling",
       title: "Seen from above",
       words: "The upper facets tile a polygon.",
-      make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }),
+      make: () => ({ ...first(), isPlain: true }),
     },
     {
-      figure: "arrangement",
-      title: "The same as lines",
-      words: "Each tile is a crossing of two lines.",
-      make: () => ({ ...first(), sweep: 0, lit: { kind: "tile", index: 3 } }),
+      figure: ["tiling", "arrangement"],
+      title: "Tiles and lines",
+      words: "Each tile is a crossing of two lines: here the tile of two generators, and the crossing of their lines.",
+      read: "lit",
+      make: () => ({ ...first(), isPlain: true }),
     },
     {
-      figure: "tiling",
-      title: "A separator",
-      words: "Four tiles lie on the left of the path.",
+      figure: ["tiling", "arrangement"],
+      title: "Corners and cells",
+      words: "Each corner is a cell between lines: where three tiles meet, the cell is a triangle.",
+      read: "lit",
+      make: () => ({ ...first(), isPlain: true, lit: { kind: "corner", index: CORNER } }),
+    },
+    {
+      figure: ["tiling", "arrangement"],
+      title: "A zone and its line",
+      words: "The tiles of one generator form a band from side to side; its line runs through their crossings.",
+      read: "lit",
+      make: () => ({ ...first(), isPlain: true, lit: { kind: "class", index: 0 } }),
+    },
+    {
+      figure: ["tiling", "arrangement"],
+      title: "A separator and its vertical line",
+      words: "Four tiles lie on the left of the thick path, four crossings on the left of the thick line.",
       make: () => ({ ...first(), lit: null }),
     },
     {
-      figure: "arrangement",
-      title: "Its vertical line",
-      words: "Four crossings lie on the left of the line.",
-      make: () => ({ ...first(), lit: null }),
+      figure: ["tiling", "arrangement"],
+      title: "One crossing further",
+      words: "The line passes the fifth crossing, and the path flips over the fifth tile.",
+      make: () => ({ ...first(), sweep: 5, lit: { kind: "tile", index: 4 } }),
     },
     {
       figure: "space",
       title: "Special positions",
       words: "Three generators in a plane make a hexagon: the truncated octahedron.",
-      make: () => ({ generators: TRUNCATED, sweep: 2, lit: null }),
+      make: () => ({ generators: TRUNCATED, sweep: 2, lit: null, isPlain: true }),
     },
     {
-      figure: "tiling",
+      figure: ["tiling", "arrangement"],
       title: "A polar zonohedron",
-      words: "Generators around an axis, all with the same slope.",
-      make: () => ({ generators: polar(9, 0.7), sweep: 12, lit: null }),
+      words: "Generators around an axis, all with the same slope: their lines touch one circle.",
+      make: () => ({ generators: polar(9, 0.7), sweep: 12, lit: null, isPlain: true }),
     },
   ],
   takeaways: (state) => {
@@ -116,7 +134,8 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
   },
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 6), sweep: 5, lit: null }),
   sentence: (state, { tiling }) =>
-    `${numberOf(state.generators.length, "generator")}, ${tiling?.tiles.length ?? "some"} tiles. ${litSentence(tiling, state.lit)}`,
+    `${numberOf(state.generators.length, "generator")}, ${tiling ? numberOf(tiling.tiles.length, "tile") : "some tiles"}. ` +
+    litSentence(tiling, state.lit),
 };
 
 /** Volumes are exact fractions; long ones are shown as decimals. */
@@ -156,7 +175,7 @@ function degenerate(state: State, { tiling }: Answers): string {
 
 /** The stepper of the sweep. */
 function sweepFigure(control: Control<State>): Figure<State, Answers> {
-  const stepper = new Stepper("The sweep", (sweep) => control.commit({ ...control.state, sweep }));
+  const stepper = new Stepper("The sweep", (sweep) => control.commit({ ...control.state, sweep, isPlain: false }));
   return {
     element: stepper.element,
     draw(state, { tiling }) {

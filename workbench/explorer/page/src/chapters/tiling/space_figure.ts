@@ -1,14 +1,16 @@
 /** The view of the zonohedron, with its generators as arrows that can be pulled. */
 
 import type { Control, Figure } from "../../kit/chapter";
+import { html } from "../../kit/elements";
 import { Solid, solidOf } from "../../kit/solid";
 import { SpaceView } from "../../kit/space_view";
-import { add3, place3, tidy3 } from "../../kit/vectors";
-import { crossingColour } from "../../kit/zone_colours";
+import { place3, tidy3 } from "../../kit/vectors";
+import { crossingColour, lineColour, zoneColour } from "../../kit/zone_colours";
 import type { Faces, Tiling } from "../../library/pictures";
 import type { Vec3 } from "../../library/shapes";
-import { litTiles, separator, tileOfFacet, vertexOfCorner } from "./links";
+import { litTiles, tileOfFacet, vertexOfCorner } from "./links";
 import { stepLit } from "./lighting";
+import { separatorLines, type SeenLine } from "./separator_lines";
 import type { Answers, State } from "./state";
 
 /** Generators up to which each is a handle. */
@@ -16,6 +18,15 @@ const HANDLE_LIMIT = 24;
 
 /** The colour of a facet that is lit up: it differs from all others in lightness. */
 const LIT = "#fff3b0";
+
+/** The colours of the arrows and of their tips, as rules: each generator has that of its zone. */
+const VECTOR_RULES = Array.from({ length: HANDLE_LIMIT }, (_, index) => {
+  const colour = lineColour(zoneColour(index));
+  return (
+    `#tiling-space .vector-${index} { stroke: ${colour}; stroke-width: 3; }` +
+    `#tiling-space [data-handle="${index}"] .mark { fill: ${colour}; }`
+  );
+}).join("\n");
 
 export function spaceFigure(control: Control<State>): Figure<State, Answers> {
   let shown: { faces: Faces; tiling: Tiling | null } | null = null;
@@ -50,11 +61,11 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
   );
   view.put("body", solid);
   return {
-    element: view.element,
+    element: html("div", {}, html("style", {}, VECTOR_RULES), view.element),
     svg: () => view.svg(),
     draw(state, { faces, tiling }) {
       shown = faces ? { faces, tiling } : null;
-      const lines: { points: readonly Vec3[]; look: string }[] = [];
+      const lines: SeenLine[] = [];
       if (faces) {
         const lit = new Set([...(tiling ? litTiles(tiling, state.lit) : [])].map((tile) => tiling?.tiles[tile]?.facet));
         const colours = faces.facet_zones.map((zones, facet) =>
@@ -62,19 +73,15 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
         );
         solid.draw(solidOf(faces), { facets: colours, opacity: 1, edge: "#20242a" });
         view.fit([...faces.vertices, ...state.generators]);
-        if (tiling)
-          lines.push({
-            points: separator(tiling, state.sweep).map((corner) => tiling.vertices[corner] as Vec3),
-            look: "sweep",
-          });
+        if (tiling && !state.isPlain) lines.push(...separatorLines(faces, tiling, state.sweep, () => view.gaze));
       }
       const named = state.generators.length <= HANDLE_LIMIT;
       const tips = named ? state.generators : [];
-      lines.push(...tips.map((tip) => ({ points: [[0, 0, 0] as Vec3, tip], look: "thin dashed" })));
+      lines.push(...tips.map((tip, index) => ({ points: [[0, 0, 0] as Vec3, tip], look: `vector-${index}` })));
       const vertex =
         faces && tiling && state.lit?.kind === "corner" ? vertexOfCorner(faces, tiling, state.lit.index) : null;
       const names =
-        vertex !== null && faces ? [{ at: add3(faces.vertices[vertex] as Vec3, [0, 0, 0]), text: "●" }] : [];
+        vertex !== null && faces ? [{ at: faces.vertices[vertex] as Vec3, text: "", dot: "var(--ink)" }] : [];
       view.draw(
         tips.map((tip, index) => ({
           id: String(index),

@@ -17,6 +17,8 @@ export interface State {
   /** The rank of the separator: so many tiles lie on its left. */
   readonly sweep: number;
   readonly lit: Lit | null;
+  /** Whether the separator and its vertical line are left out, where nothing is said of them. */
+  readonly isPlain?: boolean;
 }
 
 export interface Late {
@@ -64,6 +66,7 @@ export function read(told: unknown): State | null {
     generators,
     sweep: Math.max(0, Math.round(finite(object?.["sweep"]) ?? 0)),
     lit: index !== null && (kind === "tile" || kind === "corner" || kind === "class") ? { kind, index } : null,
+    ...(object?.["isPlain"] === true ? { isPlain: true } : {}),
   };
 }
 

@@ -74,7 +74,7 @@ export function tilingFigure(control: Control<State>): Figure<State, Answers> {
         ),
       );
       const chain = separator(tiling, state.sweep).map((corner) => flat[corner] as Vec2);
-      view.draw("chain", [view.path(chain, { class: "sweep" })]);
+      view.draw("chain", state.isPlain ? [] : [view.path(chain, { class: "sweep" })]);
       const corner = state.lit?.kind === "corner" ? flat[state.lit.index] : undefined;
       view.draw("marks", corner ? [view.dot(corner, 7, { fill: "var(--ink)" })] : []);
     },
