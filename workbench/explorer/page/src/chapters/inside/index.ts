@@ -46,6 +46,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     gauge: (_, answers) => gaugeTold(answers),
     gaugeWords,
     least: (state, { late }) => leastReach(state, late?.directions ?? null),
+    answer: answerSentence,
     apart: apartSentence,
     belief: beliefSentence,
   },
@@ -65,14 +66,14 @@ export const insideChapter: Chapter<State, Answers, Late> = {
       figure: "space",
       title: "Outside",
       words: "A plane stands between the body and the point.",
-      read: "proof",
+      read: "answer",
       make: first,
     },
     {
       figure: "space",
       title: "Inside",
       words: "A walk along the generators leads to the point.",
-      read: "proof",
+      read: "answer",
       make: () => ({ ...first(), point: [0.6, 0.5, 1.2] }),
     },
     {
@@ -126,8 +127,7 @@ export const insideChapter: Chapter<State, Answers, Late> = {
     return { ...state, generators, many: 0, step: 0 };
   },
   random: (seed, state) => ({ ...state, generators: randomGenerators(seed, 7), many: 0, step: 0 }),
-  sentence: (state, answers) =>
-    `${statusWord(state, answers)}; the gauge is ${digits(answers.gauge?.gauge ?? "being computed")}.`,
+  sentence: answerSentence,
 };
 
 function beliefSentence(_: State, { belief, located }: Answers): string {
@@ -139,6 +139,15 @@ function beliefSentence(_: State, { belief, located }: Answers): string {
     `After ${steps} it says ${beliefWords(belief.belief)}. The proof says that the point is ${proved}: the rival is ` +
     `${right ? "right" : "wrong"}.`
   );
+}
+
+const withArticle = (noun: string): string => `${/^[aeiou]/.test(noun) ? "an" : "a"} ${noun}`;
+
+/** The state and its main answer, in one line. */
+function answerSentence(state: State, answers: Answers): string {
+  const status = statusWord(state, answers);
+  const gauge = digits(answers.gauge ? gaugeTold(answers) : "being computed");
+  return `${status.charAt(0).toUpperCase()}${status.slice(1)}; the gauge is ${gauge}.`;
 }
 
 /** The reach in the direction at the lowest point. */
@@ -154,8 +163,8 @@ function apartSentence(state: State, { late }: Answers): string {
   const { distance, penetration, features } = late.apart;
   if (distance > 0)
     return (
-      `The two bodies are ${digits(distance)} apart; the nearest points lie on a ${features.a} ` +
-      `of the first and a ${features.b} of the second.`
+      `The two bodies are ${digits(distance)} apart, between ${withArticle(features.a)} of the first and ` +
+      `${withArticle(features.b)} of the second.`
     );
   if (penetration && penetration.upper > 0)
     return (

@@ -4,7 +4,7 @@ import type { Control, Figure } from "../../kit/chapter";
 import { standalone } from "../../kit/downloads";
 import type { Shape } from "../../kit/layer";
 import { boxAround, PlaneView } from "../../kit/plane_view";
-import { add2, digits, scale2, sub2 } from "../../kit/vectors";
+import { add2, digits, scale2 } from "../../kit/vectors";
 import type { Vec2 } from "../../library/shapes";
 import { balance } from "./proof";
 import type { Answers, State } from "./state";
@@ -12,11 +12,8 @@ import type { Answers, State } from "./state";
 /** Edges up to which each carries its coefficient as text. */
 const TEXT_LIMIT = 14;
 
-/** Pixels between an edge and the middle of its text: across, where texts are wide, and upwards. */
-const BESIDE: Vec2 = [22, 16];
-
-/** Pixels from the middle of a text down to the line on which it stands. */
-const HALF_TEXT = 4;
+/** Pixels between an edge and its text, half of a letter's width, and half of its height. */
+const [BESIDE, HALF_WIDE, HALF_HIGH] = [9, 4, 5];
 
 export function proofFigure(control: Control<State>): Figure<State, Answers> {
   const view = new PlaneView(
@@ -43,8 +40,8 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
           edges.push(view.path([edge.from, end], { class: look, "stroke-width": 1 + 4 * Math.abs(edge.coefficient) }));
         if (corners.length <= TEXT_LIMIT) {
           const middle = add2(edge.from, scale2(edge.vector, 0.5));
-          const shift = inwards(view, middle, center);
-          names.push(view.text(middle, digits(edge.coefficient, 3), { "text-anchor": "middle" }, shift));
+          const name = digits(edge.coefficient, 3);
+          names.push(view.text(middle, name, { "text-anchor": "middle" }, inwards(edge.vector, name)));
         }
       }
       view.draw("edges", edges);
@@ -54,9 +51,10 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
   };
 }
 
-/** The shift in pixels that puts a text beside an edge, on the side of the centre. */
-function inwards(view: PlaneView, from: Vec2, center: Vec2): Vec2 {
-  const [x, y] = sub2(view.pixel(center), view.pixel(from));
+/** The shift in pixels that puts a text beside an edge of a hull, on the side of the hull, which is the left one. */
+function inwards([x, y]: Vec2, text: string): Vec2 {
   const size = Math.hypot(x, y) || 1;
-  return [(BESIDE[0] * x) / size, (BESIDE[1] * y) / size + HALF_TEXT];
+  const [across, down] = [-y / size, -x / size];
+  const far = BESIDE + HALF_WIDE * text.length * Math.abs(across) + HALF_HIGH * Math.abs(down);
+  return [far * across, far * down + HALF_HIGH];
 }

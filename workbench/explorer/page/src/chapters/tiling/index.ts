@@ -76,7 +76,7 @@ export const tilingChapter: Chapter<State, Answers, Late> = {
     {
       figure: ["tiling", "arrangement"],
       title: "Tiles and lines",
-      words: "Each tile is a crossing of two lines: here the tile of two generators, and the crossing of their lines.",
+      words: "Each tile of two generators is the crossing of their two lines.",
       read: "lit",
       make: () => ({ ...first(), isPlain: true }),
     },

@@ -64,15 +64,19 @@ export function tilingFigure(control: Control<State>): Figure<State, Answers> {
         tiling.tiles.length === 0
           ? tiling.edges
           : tiling.edges.filter((edge) => state.lit?.kind === "class" && edge.class === state.lit.index);
-      view.draw(
-        "edges",
-        lone.map(({ ends, class: one }) =>
+      // Outlines come after all tiles, so that no neighbour covers a part of them.
+      const outlines = tiling.tiles.flatMap((tile, index) =>
+        lit.has(index) ? [view.polygon(outline(tile).map((corner) => flat[corner] as Vec2), { "stroke-width": 1.5 })] : [],
+      );
+      view.draw("edges", [
+        ...outlines,
+        ...lone.map(({ ends, class: one }) =>
           view.path(
             ends.map((end) => flat[end] as Vec2),
             { stroke: classColour(tiling, one), "stroke-width": 4 },
           ),
         ),
-      );
+      ]);
       const chain = separator(tiling, state.sweep).map((corner) => flat[corner] as Vec2);
       view.draw("chain", state.isPlain ? [] : [view.path(chain, { class: "sweep" })]);
       const corner = state.lit?.kind === "corner" ? flat[state.lit.index] : undefined;
