@@ -72,7 +72,10 @@ export const exercises: readonly Exercise<State>[] = [
       const { member } = asking.ask(locate(point, cube)).result;
       const { belief } = believe(asking, point, cube);
       const truth = member ? 2 : belief === "disjoint" ? 0 : 1;
-      return { right: reply === truth, because: `Proof: ${member ? "inside" : "outside"}. Rival: ${beliefWords(belief)}.` };
+      return {
+        right: reply === truth,
+        because: `Proof: ${member ? "inside" : "outside"}. Rival: ${beliefWords(belief)}.`,
+      };
     },
   },
   {

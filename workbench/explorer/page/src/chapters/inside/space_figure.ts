@@ -37,7 +37,9 @@ export function insideSpaceFigure(control: Control<State>): Figure<State, Answer
       other.place((vertex) => add3(vertex, state.point));
       const count = generatorsOf(state).length;
       note.hidden = answers.body !== null;
-      note.textContent = answers.body ? "" : `The body of ${count.toLocaleString("en")} generators has too many facets to be drawn.`;
+      note.textContent = answers.body
+        ? ""
+        : `The body of ${count.toLocaleString("en")} generators has too many facets to be drawn.`;
       const places: Vec3[] = [[0, 0, 0], state.point, ...(answers.body?.vertices ?? []), ...other.shape.vertices];
       const reach = Math.max(...places.map(length3));
       const u = direction(answers);

@@ -51,11 +51,53 @@ export async function test(opened, library) {
   await opened.preset("A point in a cube");
   holds((await opened.read("belief")).includes("right"), `the rival errs: ${await opened.read("belief")}`);
 
+  // Numbers that are compared differ as they stand in the sentence; with two bodies none of them speaks of a point.
+  await opened.preset("Two cubes a hair apart");
+  const apart = await opened.read("proof");
+  holds(/lies 2\.0+2 beyond that of the first, but the two bodies together reach only 2 far/.test(apart), apart);
+  const gaugeRead = page.locator('[data-read="gauge"]');
+  holds((await gaugeRead.innerText()) !== "1", "the gauge is told to be more than 1");
+  holds(!(await opened.read("gaugeWords")).includes("point"), "the gauge of two bodies is not that of a point");
+  await opened.preset("Two cubes that touch");
+  holds(!(await opened.read("proof")).includes("centre plus"), "the way is a sum and not a place");
+
+  // The point goes along with the body.
+  await opened.preset("A point in a cube");
+  await page.evaluate(() => {
+    navigator.clipboard.writeText = async (text) => void (window.copied = text);
+  });
+  await page.getByRole("button", { name: "Copy as JSON" }).click();
+  const copied = JSON.parse(await page.evaluate(() => window.copied));
+  same(JSON.stringify(copied.point), "[0.4,-0.7,0.2]", "the point of the JSON");
+  same(copied.generators.length, 3, "the generators of the JSON");
+
   await opened.preset("Ten thousand generators");
+  holds(!(await opened.read("proof")).includes("figure"), "no path is told that is not drawn");
+  holds(
+    (await page.locator("#inside-space").innerText()).includes("too many facets to be drawn"),
+    "the empty figure says why it is empty",
+  );
   holds(Number.isFinite(await opened.read("gauge")), "ten thousand generators have a gauge");
 
   same(await opened.exercise("gauge", "1.5"), true, "the exercise on the gauge");
   same(await opened.exercise("direction", 1), true, "the exercise on directions");
   same(await opened.exercise("direction", 2), false, "the exercise on directions, answered wrongly");
   same(await opened.exercise("rival", 1), true, "the exercise on the rival");
+  holds(
+    (await page.locator('[data-exercise="rival"] .verdict').innerText()).includes("Rival: “inside”"),
+    "the rival's answer in the words of the choices",
+  );
+
+  // Slides tell how far two bodies are apart, and how deep they overlap.
+  await page.getByRole("button", { name: "Slides" }).click();
+  const told = [];
+  for (let slide = 0; slide < 4; slide += 1) {
+    await opened.rest();
+    told.push(await page.locator(".slide-read").innerText());
+    await page.getByRole("button", { name: "Next slide" }).click();
+  }
+  for (const [slide, words] of [/outside/, /inside/, /are .* apart, between an? /, /They overlap/].entries())
+    holds(words.test(told[slide]), `slide ${slide + 1} says ${told[slide]}`);
+  await page.keyboard.press("Escape");
+  await opened.rest();
 }

@@ -63,7 +63,12 @@ export function arcsFigure(control: Control<State>): Figure<State, Answers> {
         view.dot([0, 0], 4, { fill: "var(--ink)" }),
       ]);
       view.draw("names", [
-        view.text([0, farthest], `radius ${digits(radius)}${radius === 0 ? ": no turn, no arcs" : ""}`, { class: "quiet", "text-anchor": "middle" }, [0, -8]),
+        view.text(
+          [0, farthest],
+          `radius ${digits(radius)}${radius === 0 ? ": no turn, no arcs" : ""}`,
+          { class: "quiet", "text-anchor": "middle" },
+          [0, -8],
+        ),
       ]);
     },
   };

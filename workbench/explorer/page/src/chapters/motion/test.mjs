@@ -31,6 +31,10 @@ export async function test(opened, library) {
   same(await opened.exercise("contact", "0.75"), true, "the exercise on the time of contact");
   same(await opened.exercise("contact", "0.5"), false, "the exercise on the time of contact, answered wrongly");
 
+  await opened.preset("Two cubes face to face");
+  const radius = await page.locator("#motion-arcs .names text").textContent();
+  same(radius, "radius 0: no turn, no arcs", "the circle around the arcs of a pure shift");
+
   await opened.preset("A bar and a stone");
   await page.locator('[data-scrub="angleA"]').focus();
   await page.keyboard.press("ArrowLeft");

@@ -33,6 +33,7 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
       view.draw("hull", [view.polygon(outline, { class: "best" }), view.polygon(corners, { class: "hull" })]);
       const edges: Shape[] = [];
       const names: Shape[] = [];
+      const free = beside();
       for (const edge of balance(state, answers)) {
         const end = add2(edge.from, edge.vector);
         const look = edge.coefficient > 0 ? "run" : "run reflected";
@@ -41,13 +42,30 @@ export function proofFigure(control: Control<State>): Figure<State, Answers> {
         if (corners.length <= TEXT_LIMIT) {
           const middle = add2(edge.from, scale2(edge.vector, 0.5));
           const name = digits(edge.coefficient, 3);
-          names.push(view.text(middle, name, { "text-anchor": "middle" }, inwards(edge.vector, name)));
+          names.push(view.text(middle, name, { "text-anchor": "middle" }, free(view.pixel(middle), edge.vector, name)));
         }
       }
       view.draw("edges", edges);
       view.draw("center", [view.dot(center, 5, { fill: "var(--green)" })]);
       view.draw("names", [...names, view.text(center, "best centre", { class: "quiet" }, [8, 4])]);
     },
+  };
+}
+
+/** The shifts of texts, one after the other: on the side of the hull, or on the other where a text is there already. */
+function beside(): (middle: Vec2, vector: Vec2, text: string) => Vec2 {
+  const taken: { at: Vec2; letters: number }[] = [];
+  const isFree = ([x, y]: Vec2, letters: number) =>
+    taken.every(
+      ({ at, letters: others }) =>
+        Math.abs(x - at[0]) > HALF_WIDE * (letters + others) || Math.abs(y - at[1]) > 3 * HALF_HIGH,
+    );
+  return (middle, vector, text) => {
+    const inside = inwards(vector, text);
+    const other = inwards(scale2(vector, -1), text);
+    const shift = isFree(add2(middle, inside), text.length) ? inside : other;
+    taken.push({ at: add2(middle, shift), letters: text.length });
+    return shift;
   };
 }
 

@@ -62,7 +62,7 @@ export function searchFigure(control: Control<State>): Figure<State, Answers> {
           return view.dot(point, left ? 3 : 1.5, { fill: left ? "var(--blue)" : "var(--quiet)" });
         }),
       );
-      const line = view.line([step.x, 0], [0, 1], { class: "sweep" });
+      const line = view.line([step.x, 0], [0, 1], { class: "sweep", "stroke-width": 2.5 });
       const minimum = step.minimum ? [view.dot(step.minimum, 6, { fill: "var(--green)" })] : [];
       view.draw("line", [...(line ? [line] : []), ...minimum]);
       const sentence =

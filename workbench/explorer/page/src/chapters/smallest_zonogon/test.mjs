@@ -85,4 +85,28 @@ export async function test(opened, library) {
   await page.locator('button[data-do="best"]').click();
   await opened.rest();
   same(await opened.exercise("by-hand"), true, "the exercise on the centre, at the best centre");
+
+  // Bound and area have digits enough to be compared.
+  await opened.preset("Nine points");
+  same(await opened.read("bound"), 14.185, "the bound with its digits");
+  same(await opened.read("reached"), 14.185, "the area with its digits");
+
+  // Keys and pointers move by whole pixels: the hexagon is closed as far as they can.
+  await page.locator('[data-exercise="symmetric"]').getByRole("button", { name: "Set it up" }).click();
+  await opened.rest();
+  same(await opened.exercise("symmetric"), false, "the hexagon that is pulled out has area to spare");
+  await page.locator('#smallest-zonogon-zonogon [data-handle="0"]').focus();
+  let right = false;
+  for (let press = 0; press < 120 && !right; press += 1) {
+    await page.keyboard.press("ArrowLeft");
+    await opened.rest();
+    right = await opened.exercise("symmetric");
+    await page.locator('#smallest-zonogon-zonogon [data-handle="0"]').focus();
+  }
+  holds(right, "the arrow key brings the corner where nothing is to be gained");
+
+  // One point is told as one.
+  await opened.chapter(id, { ...(await opened.state()), points: [[1, 2]] });
+  const words = await page.locator(`article#${id}`).innerText();
+  holds(!/\b1 (points|corners)\b|0\.0e0/.test(words), "one point is not told as several");
 }

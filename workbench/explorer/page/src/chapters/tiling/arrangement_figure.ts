@@ -72,7 +72,8 @@ export function arrangementFigure(control: Control<State>): Figure<State, Answer
         return drawn ? [drawn] : [];
       });
       view.draw("lines", lines);
-      const sweep = at === null || state.isPlain ? null : view.line([at, 0], [0, 1], { class: "sweep" });
+      const sweep =
+        at === null || state.isPlain ? null : view.line([at, 0], [0, 1], { class: "sweep", "stroke-width": 3.5 });
       view.draw("sweep", sweep ? [sweep] : []);
       view.draw(
         "crossings",

@@ -14,7 +14,7 @@ const AXES = ["x", "y", "z"] as const;
 
 export function generatorsFigure(control: Control<State>): Figure<State, Answers> {
   const body = html("tbody");
-  const problem = html("p", { class: "note", role: "status" });
+  const problem = html("p", { class: "note", role: "status", hidden: true });
   const more = html("p", { class: "note" });
   const add = button("Add a generator", () => {
     const { state } = control;
@@ -42,6 +42,7 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
           // The field shows the number that the body has: what was typed is written anew, or taken back.
           field.value = String(value ?? state.generators[index]?.[place] ?? 0);
           problem.textContent = value === null ? NUMBER_HINT : "";
+          problem.hidden = value !== null;
           if (value === null) return;
           const put = (one: Vec3) => one.map((old, at) => (at === place ? value : old)) as unknown as Vec3;
           control.commit({ ...state, generators: state.generators.map((one, at) => (at === index ? put(one) : one)) });
@@ -77,6 +78,7 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
         }),
       );
       const rest = state.generators.length - count;
+      more.hidden = rest === 0;
       more.textContent = rest > 0 ? `and ${rest} more generators` : "";
     },
   };

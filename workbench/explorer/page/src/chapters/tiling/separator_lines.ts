@@ -18,8 +18,7 @@ export interface SeenLine {
 export function separatorLines(faces: Faces, tiling: Tiling, rank: number, gaze: () => Vec3): SeenLine[] {
   const corners = separator(tiling, rank);
   const vertices = corners.map((corner) => vertexOfCorner(faces, tiling, corner) ?? 0);
-  const name = (one: number, other: number) =>
-    Math.min(one, other) * faces.vertices.length + Math.max(one, other);
+  const name = (one: number, other: number) => Math.min(one, other) * faces.vertices.length + Math.max(one, other);
   const normals = new Map<number, Vec3[]>();
   vertices.slice(1).forEach((vertex, step) => normals.set(name(vertices[step] as number, vertex), []));
   const shape = solidOf(faces);

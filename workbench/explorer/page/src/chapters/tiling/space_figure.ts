@@ -20,13 +20,16 @@ const HANDLE_LIMIT = 24;
 const LIT = "#fff3b0";
 
 /** The colours of the arrows and of their tips, as rules: each generator has that of its zone. */
-const VECTOR_RULES = Array.from({ length: HANDLE_LIMIT }, (_, index) => {
+const VECTOR_COLOURS = Array.from({ length: HANDLE_LIMIT }, (_, index) => {
   const colour = lineColour(zoneColour(index));
   return (
     `#tiling-space .vector-${index} { stroke: ${colour}; stroke-width: 3; }` +
     `#tiling-space [data-handle="${index}"] .mark { fill: ${colour}; }`
   );
-}).join("\n");
+});
+
+/** With a rim of paper the arrows stand off from facets of their own colour. */
+const VECTOR_RIM = "#tiling-space .vector-rim { stroke: var(--paper); stroke-width: 6; }";
 
 export function spaceFigure(control: Control<State>): Figure<State, Answers> {
   let shown: { faces: Faces; tiling: Tiling | null } | null = null;
@@ -61,7 +64,7 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
   );
   view.put("body", solid);
   return {
-    element: html("div", {}, html("style", {}, VECTOR_RULES), view.element),
+    element: html("div", {}, html("style", {}, [VECTOR_RIM, ...VECTOR_COLOURS].join("\n")), view.element),
     svg: () => view.svg(),
     draw(state, { faces, tiling }) {
       shown = faces ? { faces, tiling } : null;
@@ -77,6 +80,7 @@ export function spaceFigure(control: Control<State>): Figure<State, Answers> {
       }
       const named = state.generators.length <= HANDLE_LIMIT;
       const tips = named ? state.generators : [];
+      lines.push(...tips.map((tip) => ({ points: [[0, 0, 0] as Vec3, tip], look: "vector-rim" })));
       lines.push(...tips.map((tip, index) => ({ points: [[0, 0, 0] as Vec3, tip], look: `vector-${index}` })));
       const vertex =
         faces && tiling && state.lit?.kind === "corner" ? vertexOfCorner(faces, tiling, state.lit.index) : null;

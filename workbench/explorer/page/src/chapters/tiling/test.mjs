@@ -66,10 +66,43 @@ export async function test(opened, library) {
   await expected(after);
 
   // Numbers are typed.
-  await page.getByRole("spinbutton", { name: "Generator 3, x" }).fill("1.5");
-  await page.keyboard.press("Tab");
-  await opened.rest();
-  same((await opened.state()).generators[2][0], 1.5, "the number that was typed");
+  const type = async (name, text) => {
+    await page.getByRole("textbox", { name }).fill(text);
+    await page.keyboard.press("Tab");
+    await opened.rest();
+  };
+  for (const [text, value] of [
+    ["1.5", 1.5],
+    ["0,5", 0.5],
+    ["1/2", 0.5],
+    ["−3/4", -0.75],
+  ]) {
+    await type("Generator 3, x", text);
+    same((await opened.state()).generators[2][0], value, `the number that was typed as ${text}`);
+    same(await page.getByRole("textbox", { name: "Generator 3, x" }).inputValue(), String(value), "the field after it");
+  }
+  for (const text of ["", "1e999", "thirty"]) {
+    await type("Generator 3, x", text);
+    same((await opened.state()).generators[2][0], -0.75, `the number after “${text}” was typed`);
+    same(await page.getByRole("textbox", { name: "Generator 3, x" }).inputValue(), "-0.75", "the field has it again");
+  }
+
+  // Each generator has its colour, and the separator is faint where it runs behind the body.
+  await opened.preset("Five generators");
+  const colours = await page
+    .locator("#tiling-space [data-handle] .mark")
+    .evaluateAll((marks) => marks.map((mark) => getComputedStyle(mark).fill));
+  same(new Set(colours).size, 5, "colours of the tips of five generators");
+  same(
+    await page.locator("#tiling-space .over .thin.dashed").count(),
+    0,
+    "from above no step of the separator is hidden",
+  );
+  await page.locator("#tiling-space canvas").focus();
+  for (let press = 0; press < 16; press += 1) await page.keyboard.press("ArrowDown");
+  await opened.drawn();
+  const hidden = await page.locator("#tiling-space .over .thin.dashed").count();
+  holds(hidden > 0, "seen from the side some steps of the separator are behind the body");
 
   same(await opened.exercise("facets", "30"), true, "the exercise on facets");
   same(await opened.exercise("facets", "15"), false, "the exercise on facets, answered wrongly");
@@ -77,6 +110,24 @@ export async function test(opened, library) {
   same(await opened.exercise("cell", "3"), true, "the exercise on cells");
   same(await opened.exercise("polar", 1), true, "the exercise on polar zonohedra");
   same(await opened.exercise("hexagon"), false, "five generators in general position have no hexagon");
+  await page.locator('[data-exercise="hexagon"]').getByRole("button", { name: "Set it up" }).click();
+  await opened.rest();
+  for (const [axis, value] of Object.entries({ x: "3", y: "2", z: "2" })) await type(`Generator 3, ${axis}`, value);
+  same(await opened.exercise("hexagon"), true, "the third generator is the sum of the first two");
   await opened.preset("Three in a plane");
   same(await opened.exercise("hexagon"), true, "three generators in a plane have a hexagon");
+
+  // Slides: the tile beside its crossing, without a separator that nobody has explained.
+  await page.getByRole("button", { name: "Slides" }).click();
+  await page.getByRole("button", { name: "Next slide" }).click();
+  await opened.rest();
+  same(await page.locator("#tiling-tiling polyline.sweep").count(), 0, "separators before they are explained");
+  await page.getByRole("button", { name: "Next slide" }).click();
+  await opened.rest();
+  for (const name of ["tiling", "arrangement"])
+    holds(await page.locator(`#tiling-${name}.on-stage`).isVisible(), `the view ${name} of the slide`);
+  holds(/^Tile 4 of/.test(await page.locator(".slide-read").innerText()), "the slide says what is lit up");
+  same(await page.locator("#tiling-arrangement line.sweep").count(), 0, "vertical lines before they are explained");
+  await page.keyboard.press("Escape");
+  await opened.rest();
 }

@@ -66,7 +66,14 @@ export function tilingFigure(control: Control<State>): Figure<State, Answers> {
           : tiling.edges.filter((edge) => state.lit?.kind === "class" && edge.class === state.lit.index);
       // Outlines come after all tiles, so that no neighbour covers a part of them.
       const outlines = tiling.tiles.flatMap((tile, index) =>
-        lit.has(index) ? [view.polygon(outline(tile).map((corner) => flat[corner] as Vec2), { "stroke-width": 1.5 })] : [],
+        lit.has(index)
+          ? [
+              view.polygon(
+                outline(tile).map((corner) => flat[corner] as Vec2),
+                { "stroke-width": 1.5 },
+              ),
+            ]
+          : [],
       );
       view.draw("edges", [
         ...outlines,

@@ -48,8 +48,7 @@ export const volumesChapter: Chapter<State, Answers, Late> = {
     nodes: (_, { level }) => level?.nodes.length ?? WAITING,
     generators: (_, { level }) => level?.nodes.reduce((sum, { generators }) => sum + generators.length, 0) ?? WAITING,
     total: (_, { level }) => level?.total ?? WAITING,
-    verdict: (_, { level }) =>
-      level ? verdictSentence(level.verdict) : "it is waiting for the library …",
+    verdict: (_, { level }) => (level ? verdictSentence(level.verdict) : "it is waiting for the library …"),
     meeting,
     fewest,
   },
