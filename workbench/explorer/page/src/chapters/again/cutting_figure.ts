@@ -18,7 +18,7 @@ export function cuttingFigure(control: Control<State>): Figure<State, Answers> {
   const floor = new PlaneView("Its image in the tiling", LAYERS, {}, redraw);
   return {
     element: html("div", { class: "two-views" }, plane.element, floor.element),
-    svg: () => standalone(plane.svg),
+    svg: () => inARow([plane, floor]),
     draw(_, { cut }) {
       if (!cut) {
         for (const layer of LAYERS) {
@@ -56,6 +56,21 @@ export function cuttingFigure(control: Control<State>): Figure<State, Answers> {
       );
     },
   };
+}
+
+/** Pixels between the views in a picture of both. */
+const GAP = 12;
+
+/** The views side by side as one picture, whatever their places on the page. */
+function inARow(views: readonly PlaneView[]): string {
+  let width = 0;
+  const parts = views.map((view) => {
+    const at = width === 0 ? 0 : width + GAP;
+    width = at + view.width;
+    return standalone(view.svg).replace("<svg", `<svg x="${at}"`);
+  });
+  const height = Math.max(...views.map((view) => view.height));
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">${parts.join("")}</svg>`;
 }
 
 function cell(view: PlaneView, corners: readonly Vec2[], trapezoid: number) {

@@ -37,6 +37,7 @@ export const exercises: readonly Exercise<State>[] = [
       "<p>In the figure, walk along one zone until you stand on the facet opposite to the first " +
       "one: the same two generators, on the other side.</p>",
     reply: "figure",
+    figure: "walk",
     setting: first,
     check(_, state) {
       const [begin, end] = [state.path[0], state.path[state.path.length - 1]] as [FacetName, FacetName];

@@ -1,4 +1,5 @@
 // The chapter in a browser: distances are the library's, and the walk goes where the library says.
+import { readFileSync } from "node:fs";
 import { holds, same } from "../../../tests/kit.mjs";
 
 export const id = "again";
@@ -66,4 +67,12 @@ export async function test(opened, library) {
   same(await opened.exercise("shared", "1"), true, "the exercise on neighbours");
   same(await opened.exercise("shared", "2"), false, "the exercise on neighbours, answered wrongly");
   same(await opened.exercise("tree", 1), true, "the exercise on the tree");
+
+  // A picture of a figure of two views has both.
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#again-cutting").getByRole("button", { name: "SVG" }).click(),
+  ]);
+  const picture = readFileSync(await download.path(), "utf8");
+  same(picture.split("<svg ").length - 1, 3, "pictures in the picture of the cutting, itself included");
 }

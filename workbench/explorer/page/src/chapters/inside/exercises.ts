@@ -66,6 +66,7 @@ export const exercises: readonly Exercise<State>[] = [
     reply: {
       choices: ["Both say outside.", "The proof says outside, the rival inside.", "Both say inside."],
     },
+    figure: "rival",
     setting: beyondByALastPlace,
     check(reply, _, asking) {
       const { point } = beyondByALastPlace();

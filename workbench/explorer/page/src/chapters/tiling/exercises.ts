@@ -113,6 +113,7 @@ export const exercises: readonly Exercise<State>[] = [
       "<p>The generators of a polar zonohedron stand around a vertical axis, all with the same " +
       "slope. Where are their lines?</p>",
     reply: { choices: ["They all go through one point.", "They all touch one circle.", "They are all parallel."] },
+    figure: "arrangement",
     setting: () => ({ ...first(), generators: polar(7, 0.8), sweep: 8, lit: null }),
     check(reply, _, { ask }) {
       const { classes } = ask(tiling(polar(7, 0.8))).result;
