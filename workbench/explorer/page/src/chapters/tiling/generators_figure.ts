@@ -3,12 +3,16 @@
 import type { Control, Figure } from "../../kit/chapter";
 import { button, html } from "../../kit/elements";
 import { NUMBER_HINT, readNumber } from "../../kit/number_reply";
+import { tidy } from "../../kit/vectors";
 import { zoneColour } from "../../kit/zone_colours";
 import type { Vec3 } from "../../library/shapes";
 import { MOST_GENERATORS, type Answers, type State } from "./state";
 
 /** Generators up to which the table has a row for each. */
 const ROW_LIMIT = 24;
+
+/** What the arrow keys add to a number and take from it. */
+const KEY_STEP = 0.1;
 
 const AXES = ["x", "y", "z"] as const;
 
@@ -36,16 +40,27 @@ export function generatorsFigure(control: Control<State>): Figure<State, Answers
       AXES.map((axis, place) => {
         const label = `Generator ${index + 1}, ${axis}`;
         const field = html("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label });
-        field.addEventListener("change", () => {
+        const now = () => control.state.generators[index]?.[place] ?? 0;
+        const commit = (value: number) => {
           const { state } = control;
-          const value = readNumber(field.value);
-          // The field shows the number that the body has: what was typed is written anew, or taken back.
-          field.value = String(value ?? state.generators[index]?.[place] ?? 0);
-          problem.textContent = value === null ? NUMBER_HINT : "";
-          problem.hidden = value !== null;
-          if (value === null) return;
           const put = (one: Vec3) => one.map((old, at) => (at === place ? value : old)) as unknown as Vec3;
           control.commit({ ...state, generators: state.generators.map((one, at) => (at === index ? put(one) : one)) });
+        };
+        field.addEventListener("change", () => {
+          const value = readNumber(field.value);
+          // The field shows the number that the body has: what was typed is written anew, or taken back.
+          field.value = String(value ?? now());
+          problem.textContent = value === null ? NUMBER_HINT : "";
+          problem.hidden = value !== null;
+          if (value !== null) commit(value);
+        });
+        field.addEventListener("keydown", (event) => {
+          const steps = Number(event.key === "ArrowUp") - Number(event.key === "ArrowDown");
+          if (steps === 0) return;
+          const value = tidy((readNumber(field.value) ?? now()) + steps * KEY_STEP);
+          field.value = String(value);
+          commit(value);
+          event.preventDefault();
         });
         return field;
       }),

@@ -87,6 +87,11 @@ export async function test(opened, library) {
     same(await page.getByRole("textbox", { name: "Generator 3, x" }).inputValue(), "-0.75", "the field has it again");
   }
 
+  await page.getByRole("textbox", { name: "Generator 3, x" }).focus();
+  await page.keyboard.press("ArrowUp");
+  await opened.rest();
+  same((await opened.state()).generators[2][0], -0.65, "the number after an arrow key");
+
   // Each generator has its colour, and the separator is faint where it runs behind the body.
   await opened.preset("Five generators");
   const colours = await page
