@@ -1,10 +1,11 @@
 //! The kinds of question by what the tests must know of their answers: one row each.
 
+use dashu_ratio::RBig;
 use serde_json::Value;
 
 use crate::bounds::{self, Known};
 use crate::fields::{has, is_location, of_distance, of_first_contact, of_forces, of_location};
-use crate::judges::{farthest, is_same, placed, proves, same_fields, same_figure, steps};
+use crate::judges::{SMALLEST, farthest, is_same, placed, proves, same_fields, same_figure, steps};
 use crate::moving::{encounters, sweeps};
 use crate::rationals::{minus, vector, vectors};
 use crate::{enclosures, meshes, moving, proximity};
@@ -162,7 +163,12 @@ fn gauge(pair: &Pair<'_>) -> Judged {
     let Pair { input, right, changed, .. } = pair;
     let body = placed(input, "p");
     let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));
-    let is_same = same_fields(&["at_most_one"], right, changed) && same_figure(&right["gauge"], &changed["gauge"]);
+    // The smallest double is a figure of any gauge below it, but for that of the centre.
+    let is_about_zero = right["gauge"] == 0.0
+        && changed["gauge"] == SMALLEST
+        && p.as_ref().is_some_and(|p| p.iter().any(|c| *c != RBig::ZERO));
+    let is_same = same_fields(&["at_most_one"], right, changed)
+        && (is_about_zero || same_figure(&right["gauge"], &changed["gauge"]));
     Some(is_same).zip(proves(&p, &body.map(|(_, generators)| generators), right, changed))
 }
 

@@ -279,6 +279,7 @@ fn mutants_are_judged_as_by_the_definition(population: Population) {
         assert!(wrong + unchecked > 2 * harmless, "{harmless} mutants of {} are harmless", kind.name);
         if !own.is_empty() {
             let shown = own[..own.len().min(SHOWN)].join("\n");
+            println!("{shown}");
             faults.push(format!("{} of {mutants} mutants of {}: {shown}", own.len(), kind.name));
         }
     }

@@ -27,19 +27,21 @@ pub fn judged(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bo
         && same_figure(&right["distance"], &changed["distance"])
         && is_one_point(right, changed);
     let is_common = right["status"] != "outside";
-    // Of bodies that meet any common point is right, of others the nearest ones are those of the right answer.
+    // Any common point of bodies that meet is right, and so are any nearest ones of others: along parallel edges there
+    // are many.
     let is_placed = if is_common {
-        let point = common_point(&question, from, &changed["certificate"])?;
+        let point = common_point(&question, from.clone(), &changed["certificate"])?;
         is_near(input, &point, &changed["nearest"]["a"])
     } else {
-        ["a", "b"].iter().all(|name| {
-            let point = coordinates(&right["nearest"][name]);
-            point.is_some_and(|point| is_near(input, &point, &changed["nearest"][name]))
-        })
+        true
     };
     let is_proved = proves(&Some(question.p.clone()), &Some(question.generators.clone()), right, changed)?;
     let parts = match right["status"].as_str()? {
-        "outside" => is_nearest(&question, &changed["distance_certificate"])?,
+        "outside" => {
+            let points = nearest_points(&question, from, &changed["distance_certificate"])?;
+            let is_that = |(name, point): (&str, &Vec<RBig>)| is_near(input, point, &changed["nearest"][name]);
+            points.is_some_and(|points| ["a", "b"].into_iter().zip(&points).all(is_that))
+        }
         "boundary" => {
             supports(&question, right, changed)? && judges::is_same(&right["penetration"], &changed["penetration"])
         }
@@ -78,9 +80,14 @@ fn common_point(question: &Question, center: Vec<RBig>, certificate: &Value) -> 
         coefficients[index] = exact;
     }
     let own = question.generators.iter().zip(&coefficients).take(question.count);
-    let largest = RBig::try_from(f64::MAX).ok()?;
     let point = own.fold(center, |sum, (g, factor)| add(sum, factor, g));
-    Some(point.into_iter().map(|c| c.min(largest.clone()).max(-largest.clone())).collect())
+    Some(within_doubles(point))
+}
+
+/// A point of which coordinates beyond the doubles count as the largest one, as [`coordinates`] reads infinities.
+fn within_doubles(point: Vec<RBig>) -> Vec<RBig> {
+    let largest = RBig::try_from(f64::MAX).unwrap_or_default();
+    point.into_iter().map(|c| c.min(largest.clone()).max(-largest.clone())).collect()
 }
 
 /// Whether a point is the same but for rounding.
@@ -94,11 +101,12 @@ fn is_near(input: &Value, right: &[RBig], changed: &Value) -> bool {
     right.len() == changed.len() && right.iter().zip(&changed).all(|(a, b)| absolute(a - b) <= allowed)
 }
 
-/// Whether coefficients prove that their point is nearest: r = p − Σ δ_i g_i leads nowhere nearer.
-fn is_nearest(question: &Question, certificate: &Value) -> Option<bool> {
+/// The points of the bodies, the first one around `center`, that the coefficients of a certificate make, if they prove
+/// them nearest: r = p − Σ δ_i g_i leads nowhere nearer.
+fn nearest_points(question: &Question, center: Vec<RBig>, certificate: &Value) -> Option<Option<[Vec<RBig>; 2]>> {
     let (coefficients, basis) = (vector(&certificate["coefficients"])?, indices(&certificate["basis"])?);
     if coefficients.len() != question.generators.len() {
-        return Some(false);
+        return Some(None);
     }
     let taken = |residual: &[RBig], factor: &RBig, g: &[RBig]| -> Vec<RBig> {
         residual.iter().zip(g).map(|(rest, c)| rest - factor * c).collect()
@@ -115,7 +123,7 @@ fn is_nearest(question: &Question, certificate: &Value) -> Option<bool> {
     for ((&index, exact), column) in basis.iter().zip(exact).zip(&columns) {
         let (nearest, given) = (exact.to_f64().value(), certificate["coefficients"][index].as_f64()?);
         if !(nearest.next_down()..=nearest.next_up()).contains(&given) {
-            return Some(false);
+            return Some(None);
         }
         residual = taken(&residual, &exact, column);
         all[index] = exact;
@@ -125,7 +133,11 @@ fn is_nearest(question: &Question, certificate: &Value) -> Option<bool> {
         absolute(delta.clone()) <= RBig::ONE
             && (along == RBig::ZERO || *delta == if along > RBig::ZERO { RBig::ONE } else { -RBig::ONE })
     };
-    Some(residual.iter().any(|c| *c != RBig::ZERO) && question.generators.iter().zip(&all).all(is_extreme))
+    let is_nearest = residual.iter().any(|c| *c != RBig::ZERO) && question.generators.iter().zip(&all).all(is_extreme);
+    let own = question.generators.iter().zip(&all).take(question.count);
+    let first = own.fold(center, |sum, (g, delta)| taken(&sum, &-delta, g));
+    let second = first.iter().zip(&residual).map(|(x, rest)| x + rest).collect();
+    Some(is_nearest.then(|| [first, second].map(within_doubles)))
 }
 
 /// Whether the hyperplane supports both bodies, in faces of the dimensions of the right one.
