@@ -50,9 +50,8 @@ where
 
 fn run(config: Config, drawn: &BoxedStrategy<Drawn>, test: &dyn Fn(Drawn) -> TestCaseResult) {
     let mut runner = TestRunner::new(config);
-    if let Err(error) = runner.run(drawn, test) {
-        panic!("{error}\n{runner}");
-    }
+    let failure = runner.run(drawn, test).err().map(|error| error.to_string());
+    assert!(failure.is_none(), "{}\n{runner}", failure.unwrap_or_default());
 }
 
 /// Properties in the notation of `proptest!`, which share one runner: see [`Drawn`].
