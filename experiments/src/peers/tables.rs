@@ -226,8 +226,7 @@ const RACES_OF_README: [Race; 10] = [
 pub fn tables_of_readme(record: &PeersRecord) -> [Table; 3] {
     let lead = Table {
         caption:
-            "How often the time of our location with its proof goes into that of parry's GJK, of bodies that were \
-                  prepared for both: median (least) over questions; below 1 parry's is faster."
+            "The time of parry's GJK over that of our location with its proof, of prepared bodies: median (least)."
                 .to_owned(),
         ..lead(record, &RACES_OF_README)
     };
