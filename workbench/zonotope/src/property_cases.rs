@@ -21,7 +21,7 @@ pub(crate) fn config(long_run: u32) -> Config {
     Config::with_cases(if is_long { long_run } else { ordinary })
 }
 
-/// What a property draws, of any type.
+/// A value of any type that a property draws.
 ///
 /// proptest compiles its runner anew for each type of values and each closure. All properties draw values of this one
 /// type and share one runner: with several hundred properties the runners would be an eighth of what is compiled.
