@@ -5,6 +5,9 @@ use std::path::Path;
 
 use crate::run;
 
+/// A short question of `solve`.
+const QUESTION: &str = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+
 const POINTS: &str = "0,0\n2,0\n0,2\n";
 
 #[test]
@@ -70,8 +73,7 @@ fn shell(folder: &Path, line: &str) -> (Option<i32>, String) {
 fn answers_that_nobody_can_read_are_no_success() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
-    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
-    fs::write(folder.join("q.jsonl"), format!("{question}\n").repeat(2000)).expect("written");
+    fs::write(folder.join("q.jsonl"), format!("{QUESTION}\n").repeat(2000)).expect("written");
     fs::write(folder.join("p.csv"), POINTS).expect("written");
     let closed = "standard output is closed";
     for line in ["$P solve q.jsonl >&-", "$P solve <q.jsonl >&-", "$P solve --strict q.jsonl >&-"] {
@@ -123,23 +125,25 @@ const PRINTING: [&str; 27] = [
     "--version",
 ];
 
+/// Writes points, a body, a question and the configuration of a short run.
+#[cfg(target_os = "linux")]
+fn write_inputs(folder: &Path) {
+    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8]\ninstances = 1\n";
+    for (name, text) in
+        [("p.csv", POINTS), ("z.json", "[[1,0,0],[0,1,0],[0,0,1]]"), ("q.jsonl", QUESTION), ("my.toml", config)]
+    {
+        fs::write(folder.join(name), text).expect("written");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn no_command_takes_a_lost_output_for_success() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
-    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
     let mesh = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8]\ninstances = 1\n";
-    let body = "[[1,0,0],[0,1,0],[0,0,1]]";
-    for (name, text) in [
-        ("p.csv", POINTS),
-        ("a.obj", mesh),
-        ("z.json", body),
-        ("q.jsonl", question),
-        ("nothing.json", ""),
-        ("my.toml", config),
-    ] {
+    write_inputs(folder);
+    for (name, text) in [("a.obj", mesh), ("nothing.json", "")] {
         fs::write(folder.join(name), text).expect("written");
     }
     for made in [
@@ -176,13 +180,7 @@ fn no_command_takes_a_lost_output_for_success() {
 fn a_full_disk_is_told_with_the_name_of_the_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
-    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
-    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8]\ninstances = 1\n";
-    for (name, text) in
-        [("p.csv", POINTS), ("z.json", "[[1,0,0],[0,1,0],[0,0,1]]"), ("q.jsonl", question), ("my.toml", config)]
-    {
-        fs::write(folder.join(name), text).expect("written");
-    }
+    write_inputs(folder);
     assert_eq!(shell(folder, "$P reproduce --config my.toml --out r >/dev/null").0, Some(0));
     assert_eq!(shell(folder, "$P solve q.jsonl --shard 0/1 --out shards").0, Some(0));
     for (command, file) in [
@@ -220,8 +218,7 @@ fn a_full_disk_is_told_with_the_name_of_the_file() {
 fn a_reader_that_goes_away_ends_the_program_with_its_status() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
-    let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
-    fs::write(folder.join("q.jsonl"), format!("{question}\n").repeat(2000)).expect("written");
+    fs::write(folder.join("q.jsonl"), format!("{QUESTION}\n").repeat(2000)).expect("written");
     let line = "{ $P solve q.jsonl; echo $? >status; } | head -n 1 >first";
     assert_eq!(shell(folder, line), (Some(0), String::new()));
     let text = |name: &str| fs::read_to_string(folder.join(name)).expect("written");
