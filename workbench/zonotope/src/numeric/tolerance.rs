@@ -315,6 +315,11 @@ pub const ROUNDED_UNIT_VECTOR: f64 = power_of_two(-48);
 /// a unit in the last place of a turn; the products and the sum go through three roundings.
 pub const ARC_POINT_ROUNDING: f64 = power_of_two(-46);
 
+/// The distance of such a point from the exact one beside that, where coordinates are next to the smallest double:
+/// sixteen of it. Two products and a sum for each of two coordinates, and what is made of the points once more, are
+/// each off by half of it.
+pub const ARC_POINT_UNDERFLOW: f64 = 16.0 * SMALLEST;
+
 /// Error of a gap between two bounding volumes along a direction of length at most 1, beside the sum of the magnitudes
 /// of what it is the sum of: each term goes through fewer than a hundred roundings, 2^-46; four times that.
 pub(crate) const NODE_TEST: f64 = power_of_two(-44);

@@ -20,15 +20,16 @@
 //! bodies that the axis goes through are allowed.
 //!
 //! # Numerics
-//! The rectangle is found in doubles; a box of some 2^-45 of the body's size around it holds what that loses.
+//! The rectangle is found in doubles, of the points over a power of two of their own: a body may be as far along its
+//! axis as doubles go, and its arcs so small that their squares are zero. A box of some 2^-45 of the size of the arcs
+//! around the rectangle holds what rounding loses.
 //!
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers
-//! in
-//! the crate `verifier`.
+//! in the crate `verifier`.
 //!
 //! # Example
 //! ```
@@ -51,7 +52,8 @@ use super::parts::volume::Volume;
 use crate::hull::convex_hull;
 use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::{dot, euclidean_norm};
+use crate::numeric::linear::dot;
+use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::zonotope::Zonotope;
 
 /// The volume with the least rectangle around the arcs.
@@ -66,8 +68,14 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepErr
     let arcs = ArcPoints::of(&Shadow::of(&plane, &scaled, &mut ()), sweep.angle);
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
     let hull = convex_hull(&arcs.points, &mut ()).map_err(|_| SweepError::OutOfRange)?;
-    let in_space = |v: [f64; 2]| plane.vector(&[0.0, v[0], v[1]].map(Bounded::exact));
-    let rectangle = least_rectangle(hull.vertices());
+    let exponent = binary_exponent(largest_magnitude(hull.vertices().as_flattened())).map_or(0, i64::from);
+    let corners: Vec<[f64; 2]> =
+        hull.vertices().iter().map(|corner| corner.map(|c| scale_by_power_of_two(c, -exponent))).collect();
+    let in_space = |v: [f64; 2]| {
+        let [x, y] = v.map(|c| scale_by_power_of_two(c, exponent));
+        plane.vector(&[0.0, x, y].map(Bounded::exact))
+    };
+    let rectangle = least_rectangle(&corners);
     volume.move_center(&in_space(rectangle.center));
     rectangle.sides.iter().for_each(|side| volume.add(&in_space(*side)));
     // the sides and the centre were rounded, by less than the points
@@ -90,9 +98,7 @@ fn least_rectangle(corners: &[[f64; 2]]) -> Rectangle {
     let count = corners.len();
     let edge = |i: usize| {
         let (from, to) = (corners[i % count], corners[(i + 1) % count]);
-        let edge = [to[0] - from[0], to[1] - from[1]];
-        let length = euclidean_norm(&[edge[0], edge[1], 0.0]);
-        if length > 0.0 { edge.map(|c| c / length) } else { [1.0, 0.0] }
+        unit([to[0] - from[0], to[1] - from[1]])
     };
     // the corners that are farthest along the edge, across it and against it
     let mut farthest = [0, 0, 0];
@@ -120,6 +126,13 @@ fn least_rectangle(corners: &[[f64; 2]]) -> Rectangle {
         }
     }
     least
+}
+
+/// The direction of an edge of any length, as a unit vector; that of the first axis if it has none. The first division
+/// is by a length that may have few bits.
+fn unit(edge: [f64; 2]) -> [f64; 2] {
+    let over_its_length = |v: [f64; 2]| v.map(|c| c / libm::hypot(v[0], v[1]));
+    if edge == [0.0; 2] { [1.0, 0.0] } else { over_its_length(over_its_length(edge)) }
 }
 
 /// The rectangle around all corners with sides along a unit vector and across it.

@@ -94,6 +94,23 @@ fn degenerate_sweeps_are_held() {
     }
 }
 
+/// Lengths along the axis are as large as doubles go, and those that turn so small beside them that their squares, or
+/// they themselves, are nearly zero in the units of the body.
+#[test]
+fn what_turns_may_be_small_beside_the_axis() {
+    for along in [1.0, 1e100, f64::MAX] {
+        for off in [f64::from_bits(1), 1e-310, 1e-200, 1e-16, 1.0, 7.397452437574471e146] {
+            let bodies = [
+                body([0.0; 3], &[[0.0, along, 0.0]]),
+                body([off, 0.0, 0.0], &[[0.0, along, 0.0], [0.3 * off, 0.0, off], [off, 0.0, 0.0]]),
+            ];
+            for (body, angle) in bodies.iter().zip([7.0, 1.0]) {
+                check(&sweep([0.0, 0.0, off], [0.0, 1.0, 0.0], angle, [0.0; 3]), body, 3).expect("held");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_translation_alone_is_exact() {
     let cube = named::cube();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::circles::{Circles, NEW_PLACE};
-use super::measures::{determinants_south_of, half_edges};
+use super::determinants::HalfEdges;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::Directions;
@@ -22,7 +22,7 @@ pub(in crate::zonotope) struct SpaceCounts {
 pub(in crate::zonotope) fn space_counts(body: &Zonotope<3>, with_volume: bool) -> SpaceCounts {
     let directions = Directions::of_finite(body.generators());
     let circles = Circles::new(directions.representatives());
-    let half_edges = if with_volume { half_edges(&circles, &directions, body.generators()) } else { Vec::new() };
+    let mut half_edges = with_volume.then(|| HalfEdges::new(&circles, &directions, body.generators()));
     let mut counts = SpaceCounts { edges: 0, facet_sizes: BTreeMap::new(), volume: Dyadic::zero() };
     let (mut keys, mut crossings) = (Vec::new(), Vec::new());
     for rank in 0..circles.len() {
@@ -33,8 +33,8 @@ pub(in crate::zonotope) fn space_counts(body: &Zonotope<3>, with_volume: bool) -
                 *counts.facet_sizes.entry(2 * (place.len() + 1)).or_insert(0) += 2;
             }
         }
-        if with_volume {
-            counts.volume = counts.volume + determinants_south_of(rank, &crossings, &half_edges);
+        if let Some(half_edges) = &mut half_edges {
+            counts.volume = counts.volume + half_edges.determinants_south_of(rank, &crossings);
         }
     }
     counts.volume = counts.volume.scaled(3);

@@ -1,8 +1,9 @@
 //! Volume, exactly, and surface area of a zonotope of space.
 
-use super::circles::{Circles, NEW_PLACE};
+use super::circles::Circles;
+use super::determinants::HalfEdges;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, sum};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
@@ -28,12 +29,12 @@ impl Zonotope<3> {
             return Dyadic::zero();
         }
         let circles = Circles::new(directions.representatives());
-        let half_edges = half_edges(&circles, &directions, self.generators());
+        let mut half_edges = HalfEdges::new(&circles, &directions, self.generators());
         let (mut keys, mut crossings) = (Vec::new(), Vec::new());
         let mut sum = Dyadic::zero();
         for rank in 0..circles.len() {
             circles.crossings(rank, &mut keys, &mut crossings, &mut ());
-            sum = sum + determinants_south_of(rank, &crossings, &half_edges);
+            sum = sum + half_edges.determinants_south_of(rank, &crossings);
         }
         sum.scaled(3)
     }
@@ -58,25 +59,6 @@ impl Zonotope<3> {
         let error = if value.is_finite() { (error * (1.0 + 2.0 * UNIT)).next_up() } else { f64::INFINITY };
         Estimate { value, error }
     }
-}
-
-/// By rank, the sum of the generators of a circle's direction, turned to the hemisphere of the pole.
-pub(super) fn half_edges(circles: &Circles, directions: &Directions<3>, generators: &[[f64; 3]]) -> Vec<ExactVector> {
-    let turned = |&(class, reversed): &(u32, bool)| {
-        let sum = directions.exact_sum(class as usize, generators);
-        if reversed { sum.map(|c| -c) } else { sum }
-    };
-    circles.classes.iter().map(turned).collect()
-}
-
-/// Σ |det(w, w_a, w_b)| over pairs of circles south of the circle of w, given its crossings.
-pub(super) fn determinants_south_of(rank: usize, crossings: &[u32], half_edges: &[ExactVector]) -> Dyadic {
-    let [mut before, mut area] = [exact([0.0; 3]), exact([0.0; 3])];
-    for other in crossings.iter().map(|crossing| (crossing & !NEW_PLACE) as usize).filter(|&other| other > rank) {
-        area = sum(&area, &cross(&before, &half_edges[other]));
-        before = sum(&before, &half_edges[other]);
-    }
-    dot(&half_edges[rank], &area)
 }
 
 fn length(v: [f64; 3]) -> f64 {

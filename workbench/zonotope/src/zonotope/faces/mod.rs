@@ -14,6 +14,7 @@ pub mod by_recursion;
 pub mod by_sweep;
 mod circles;
 mod counts;
+mod determinants;
 mod error;
 mod export;
 mod lattice;

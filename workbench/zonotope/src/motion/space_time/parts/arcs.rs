@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use super::angle::covering;
 use super::shadow::Shadow;
-use crate::numeric::tolerance::ARC_POINT_ROUNDING;
+use crate::numeric::tolerance::{ARC_POINT_ROUNDING, ARC_POINT_UNDERFLOW};
 
 /// The largest angle between two points of an arc: there the corner of the tangents is 0.5 % beyond the arc.
 const STEP: f64 = PI / 16.0;
@@ -39,6 +39,8 @@ impl ArcPoints {
             size = size.max(x.abs() + y.abs());
             points.extend(matrices.iter().map(|[c, s]| [c * x - s * y, s * x + c * y]));
         });
-        Self { points, off: ARC_POINT_ROUNDING * size + 3.0 * shadow.off() }
+        // an arc that is not a point may have coordinates that are rounded to multiples of the smallest double
+        let underflow = if size == 0.0 { 0.0 } else { ARC_POINT_UNDERFLOW };
+        Self { points, off: ARC_POINT_ROUNDING * size + underflow + 3.0 * shadow.off() }
     }
 }
