@@ -96,6 +96,7 @@ mod vertex_sets;
 mod work;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
+use super::box_coordinates::BoxCoordinates;
 use super::conclude::{around_equal_points, conclude, proven, validate};
 use super::frame::Frame;
 use super::in_the_plane::min_length_in_plane;
@@ -143,13 +144,14 @@ fn around_outer<const D: usize>(
     }
     match frame.rank() {
         0 => around_equal_points(points),
-        1 if let Some(segment) = on_a_line_within(points, &frame, &best, epsilon) => Ok(segment),
-        2 => {
+        1 => on_a_line(points, &frame, &best, epsilon),
+        2 if const { D >= 2 } => {
             let (inner, progress) = min_length_in_plane(&frame, epsilon, &mut best);
             let directions = inner.generators.len();
             conclude(points, &frame, inner, &best, progress, directions, epsilon)
         }
-        _ => {
+        // the condition leaves out of the line and of the plane what is compiled for space alone
+        _ if const { D >= 3 } => {
             let mut work = Work::none();
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             // Pairs of doubles help where rounding ended the search, not where its work was used up.
@@ -164,21 +166,28 @@ fn around_outer<const D: usize>(
             let around = (shorter.body, shorter.value);
             Ok(proven(points, &frame, around, &best, shorter.effort.progress, directions, epsilon))
         }
+        rank => unreachable!("points of R^{D} span a space of {rank} dimensions"),
     }
 }
 
-/// The answer for points on a line: a segment of doubles, if one is within 1 + ε of the least length.
-fn on_a_line_within<const D: usize>(
+/// The answer for points on a line: a segment of doubles, if one is within 1 + ε of the least length; else the box
+/// around the points in the frame, which is the segment but for rounding.
+fn on_a_line<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
     best: &BestBound<D>,
     epsilon: f64,
-) -> Option<MinLengthZonotope<D>> {
-    let answer = proven(points, frame, segment_around(points)?, best, Vec::new(), 1, epsilon);
-    (answer.proof.outcome == Outcome::WithinEpsilon).then_some(answer)
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    if let Some(segment) = segment_around(points) {
+        let answer = proven(points, frame, segment, best, Vec::new(), 1, epsilon);
+        if answer.proof.outcome == Outcome::WithinEpsilon {
+            return Ok(answer);
+        }
+    }
+    conclude(points, frame, BoxCoordinates::of(frame).boxed(), best, Vec::new(), 1, epsilon)
 }
 
-/// The answer by set generation, for points that span one dimension, or three and more, with steps in the scalar `R`.
+/// The answer by set generation, for points that span three dimensions or more, with steps in the scalar `R`.
 fn around_by_set_generation<R: Scalar, const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,

@@ -69,7 +69,7 @@ const LEAST_GAIN: f64 = 1e-3;
 /// error so far.
 const LEAST_ERROR_REDUCTION: f64 = 0.98;
 
-/// The shortest zonotope around the points of a frame that set generation finds, for any rank from 1; `best` keeps the
+/// The shortest zonotope around the points of a frame that set generation finds, for any rank from 3; `best` keeps the
 /// best lower bound. The work goes on from its value at the call.
 pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
     frame: &Frame<D>,
