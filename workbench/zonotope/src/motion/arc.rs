@@ -4,7 +4,8 @@ use super::bernstein;
 use super::quaternion::{Quaternion, composition, conjugate, image, polar_rotation, sum, transposed_image};
 use super::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::dot;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::{Ring, dot};
 
 /// A stretch of a motion over the numbers T. P and w are given times a positive number, the weight.
 #[derive(Debug, Clone)]
@@ -13,7 +14,8 @@ pub(super) struct Arc<T> {
     pub(super) turns: [Quaternion<T>; 2],
     /// The weight times P at both ends.
     pub(super) base: [[T; 3]; 2],
-    /// A bound of the magnitudes of the terms that a base is a sum of, but for a few roundings.
+    /// A bound, but for a few roundings, of the sum of the magnitudes of the terms from which a base is computed, times
+    /// the weight.
     pub(super) base_size: f64,
     /// The weight times w.
     pub(super) arm: [T; 3],
@@ -73,6 +75,18 @@ impl<T: Scalar> Arc<T> {
     #[inline]
     pub(super) fn base_along(&self, u: &[T; 3]) -> [T; 2] {
         self.base.each_ref().map(|base| dot(u, base))
+    }
+}
+
+impl Arc<Dyadic> {
+    /// The halves of the stretch, exactly: no times are halved, between which there may be no double.
+    pub(super) fn halves(&self) -> [Self; 2] {
+        let mean = |a: &Dyadic, b: &Dyadic| a.plus(b).scaled(-1);
+        let ([p, q], [from, to]) = (&self.turns, &self.base);
+        let turn: Quaternion<Dyadic> = [0, 1, 2, 3].map(|k| mean(&p[k], &q[k]));
+        let base = [0, 1, 2].map(|k| mean(&from[k], &to[k]));
+        let half = |turns, base| Self { turns, base, ..self.clone() };
+        [half([p.clone(), turn.clone()], [from.clone(), base.clone()]), half([turn, q.clone()], [base, to.clone()])]
     }
 }
 

@@ -25,7 +25,8 @@ pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 /// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
 const LARGEST_QUARTER: f64 = 0.7;
 
-/// Whether a stretch must have each placement at its time.
+/// Whether a stretch must have each placement at its time. A question about two bodies in motion asks for `Free` where
+/// one of them only turns and the other rests, every question about one time for `Kept`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Clock {
     /// Each placement is that of the motion at the same time, but for a bound.
@@ -146,9 +147,10 @@ impl ConstantRate {
         ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs()
     }
 
+    /// The stretch between two times that go up: with [`Clock::Free`] the first end is moved back and the last one on.
     fn between<T: Scalar>(&self, times: [f64; 2], clock: Clock, axis: &[T; 3]) -> Arc<T> {
         let outwards = match clock {
-            // half an angle is moved, so the angle by twice its rounding
+            // `half` is half an angle, so that the angle moves by twice the bound of its rounding
             Clock::Free if self.angle != 0.0 => self.rounding().copysign(self.angle),
             // no turn is not rounded
             Clock::Free | Clock::Kept => 0.0,

@@ -18,16 +18,20 @@
 //! | `arc` | a stretch of a motion between two times: what all questions are asked about |
 //! | `quaternion`, `bernstein`, `scalar` | quaternions, polynomials and the numbers that they are made of |
 //!
-//! The files are read in this order: `quaternion`, `arc`, `piece`, `constant_rate`, `path`. Everything else asks a
-//! motion for arcs alone, in three kinds of numbers: exact ones (`exact_arc`), doubles with bounds (`arc`) and doubles
-//! for guesses (`rounded_arc`).
+//! The files are read in this order: `scalar`, `bernstein`, `quaternion`, `arc`, `piece`, `sweep`, `constant_rate`,
+//! `path`. Everything else asks a motion for arcs alone, in three kinds of numbers: exact ones (`exact_arc`), doubles
+//! with bounds (`arc`) and doubles for guesses (`rounded_arc`).
+//!
+//! A *part* is what a caller states, a *piece* is that part as the library keeps it, an *arc* is the motion between two
+//! times of one piece, and a *stretch* is a span of time with the arcs of both bodies.
 //!
 //! # A new kind of motion
 //! A motion whose quaternion goes linearly in the time between rational ones is a constructor in `path` that makes
 //! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other
 //! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational stretches near
-//! it, and `angle_off` and `reach` bound how far they are off. What a question states is read in the crate `batch`
-//! (`kinds/motion/stated`), and once more, without this crate, in the verifier (`motion/path`).
+//! it, `angle_off` and `reach` bound how far they are off, and `as_sweep` gives a sweep around it. What a question
+//! states is read in the crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier
+//! (`motion/path`).
 
 mod arc;
 mod bernstein;

@@ -238,7 +238,8 @@ impl Motion {
         }
     }
 
-    /// The sweep whose placements a rotation at constant rate goes through; `None` for a rational motion.
+    /// The sweep that contains the placements of a motion that is not rational. It is `None` for a rational motion
+    /// alone, as [`Zonotope::swept`](crate::Zonotope::swept) takes every motion without a sweep for rational.
     pub(super) fn as_sweep(&self) -> Option<Sweep> {
         match &self.0 {
             Kind::Rational(_) => None,

@@ -316,8 +316,8 @@ pub const ROUNDED_UNIT_VECTOR: f64 = power_of_two(-48);
 pub const ARC_POINT_ROUNDING: f64 = power_of_two(-46);
 
 /// The distance of such a point from the exact one beside that, where coordinates are next to the smallest double:
-/// sixteen of it. Two products and a sum for each of two coordinates, and what is made of the points once more, are
-/// each off by half of it.
+/// sixteen of it. Two products in each of two coordinates are off by half of it each; the centre and two sides of a
+/// rectangle, scaled back, by half of it each once more.
 pub const ARC_POINT_UNDERFLOW: f64 = 16.0 * SMALLEST;
 
 /// Error of a gap between two bounding volumes along a direction of length at most 1, beside the sum of the magnitudes

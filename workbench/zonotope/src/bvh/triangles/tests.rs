@@ -16,7 +16,7 @@ fn size() -> impl Strategy<Value = f64> {
 }
 
 properties! {
-    #![proptest_config(crate::property_cases::config(20_000))]
+    #![proptest_config(crate::property_cases::config(6_000))]
 
     #[test]
     fn all_methods_agree_in_special_positions(a in triangle(), b in triangle(), size in size(), other in size()) {

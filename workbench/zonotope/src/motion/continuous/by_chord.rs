@@ -10,9 +10,9 @@
 //! # Method
 //! Along a direction that is fixed in space the gap is the least of smooth functions, one for each choice of the signs
 //! of the generators. The second derivative of each is at most K = Σ (ω² + |ω'|) |u⊥| (Σ |v⊥| + |c⊥|) over the bodies,
-//! so
-//! the gap is at least the chord between its values at both ends, less K / 8. The directions that are tried separate
-//! the bodies at the ends of the stretch; the last one is that of the shortest vector between them at its middle.
+//! so the gap is at least the chord between its values at both ends, less K / 8. The directions that are tried
+//! separate the bodies at the ends of the stretch; the last one is that of the shortest vector between them at its
+//! middle.
 //!
 //! # Complexity
 //! O(n) a stretch; a clearance ε takes some 1/√ε stretches.

@@ -16,6 +16,8 @@
 //!
 //! Of the roundings, 150 are those of the quaternions: a quaternion of the stretch is a sum of two that are not
 //! opposite, so that its length is at least a third of the terms', each within 12 units; four of them are in a product.
+//! The terms of an entry of a rotation have magnitudes that add up to 3 T, and go through these 150. Its value, at most
+//! T, goes through the others. Together that is no more than 2 T through all 300.
 
 use super::SeparatingDirection;
 use super::gap::Stretch;
@@ -35,7 +37,7 @@ impl Stretch<'_, f64> {
         });
         let own = |i: usize| {
             let (arc, body) = (&self.arcs[i], &self.bodies[i]);
-            arc.weight * (body.magnitude() + sum_norm(&body.center()) + self.margins[i].distance)
+            arc.weight * (body.magnitude() + sum_norm(&body.center()) + self.margins[i].total())
                 + sum_norm(&arc.arm)
                 + arc.base_size
         };
@@ -98,7 +100,8 @@ mod tests {
             let from = rng.random_range(0.0..0.9);
             let times = [from, from + 0.1 * rng.random_range(1e-6..1.0f64)];
             let axis = [0.6, 0.0, 0.8];
-            let margins = [Margin { distance: 1e-3, axis }, Margin::NONE];
+            let margin = Margin { distance: 1e-3, axis, of_other: 2e-3, of_normals: 3e-3 };
+            let margins = [margin, Margin::NONE];
             let arcs = motions.each_ref().map(|motion| motion.rounded_arc(times, Clock::Kept));
             let rounded = Stretch::new(bodies, arcs, margins);
             let arcs = motions.each_ref().map(|motion| motion.exact_arc(times, Clock::Kept));

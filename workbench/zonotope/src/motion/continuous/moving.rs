@@ -100,11 +100,23 @@ impl<'a> Moving<'a> {
         exact.gap_along(direction).iter().all(|c| c.sign().is_gt())
     }
 
-    /// A bound of the distance of points of each body from their places on a stretch, where these have their time.
+    /// For each body bounds of how far it is from its place on the stretch at the same time; none where the clock is
+    /// free.
     fn margins(&self, times: [f64; 2]) -> [Margin; 2] {
-        [0, 1].map(|i| match self.motions[i].angle_off(times) {
-            angle if angle == 0.0 || (angle.is_finite() && self.clock == Clock::Free) => Margin::NONE,
-            angle => Margin { distance: (angle * self.reaches[i]).next_up(), axis: self.motions[i].unit_axis() },
+        let angles = self.motions.map(|motion| match motion.angle_off(times) {
+            angle if angle.is_finite() && self.clock == Clock::Free => 0.0,
+            angle => angle,
+        });
+        if angles == [0.0; 2] {
+            return [Margin::NONE; 2];
+        }
+        let arcs = self.motions.map(|motion| motion.rounded_arc(times, self.clock));
+        [[0, 1], [1, 0]].map(|[own, other]| {
+            if angles[own] == 0.0 {
+                return Margin::NONE;
+            }
+            let both = [own, other].map(|i| (&arcs[i], self.bodies[i]));
+            Margin::new(angles[own], self.motions[own].unit_axis(), self.reaches[own], both)
         })
     }
 

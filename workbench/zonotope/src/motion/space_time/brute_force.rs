@@ -2,9 +2,8 @@
 //!
 //! # Statement
 //! Input: a volume, a sweep, a body and two numbers. Output: whether the volume contains the body turned by the angle
-//! of
-//! which half has the tangent t |axis|, and moved by s times the translation; the largest squared distance of a vertex
-//! from the axis.
+//! of which half has the tangent t |axis|, and moved by s times the translation; the largest squared distance of a
+//! vertex from the axis.
 //!
 //! # Source
 //! Section 6, from the definitions.
@@ -12,8 +11,7 @@
 //! # Method
 //! A convex body lies in the zonotope just when its support function is nowhere larger along cross products of two
 //! generators; for flat ones also along those with coordinate axes and with a third factor. The farthest vertex is
-//! found
-//! by all choices of signs.
+//! found by all choices of signs.
 //!
 //! # Complexity
 //! O(m² (m + n)) for m generators of the volume, O(2^n n) for the farthest vertex, in exact numbers.
@@ -52,8 +50,7 @@ use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, i
 use crate::zonotope::Zonotope;
 
 /// Whether a volume contains a placement of a body: turned by twice the angle whose tangent is t |axis|, then moved by
-/// s
-/// times the translation.
+/// s times the translation.
 ///
 /// # Panics
 /// If a number is not finite.

@@ -30,8 +30,7 @@
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force), which holds exact placements against all facets; the check of `sweep` answers
-//! in
-//! the crate `verifier`.
+//! in the crate `verifier`.
 //!
 //! # Example
 //! ```

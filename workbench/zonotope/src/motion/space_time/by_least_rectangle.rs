@@ -21,8 +21,8 @@
 //!
 //! # Numerics
 //! The rectangle is found in doubles, of the points over a power of two of their own: a body may be as far along its
-//! axis as doubles go, and its arcs so small that their squares are zero. A box of some 2^-45 of the size of the arcs
-//! around the rectangle holds what rounding loses.
+//! axis as doubles go, and its arcs so small that their squares are zero. A box of some 2^-45 of the distance of the
+//! farthest vertex from the axis holds what rounding loses.
 //!
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.
@@ -52,7 +52,7 @@ use super::parts::volume::Volume;
 use crate::hull::convex_hull;
 use crate::motion::sweep::{Sweep, SweepError};
 use crate::numeric::bounded::Bounded;
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, norm_of_any_size};
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::zonotope::Zonotope;
 
@@ -131,7 +131,7 @@ fn least_rectangle(corners: &[[f64; 2]]) -> Rectangle {
 /// The direction of an edge of any length, as a unit vector; that of the first axis if it has none. The first division
 /// is by a length that may have few bits.
 fn unit(edge: [f64; 2]) -> [f64; 2] {
-    let over_its_length = |v: [f64; 2]| v.map(|c| c / libm::hypot(v[0], v[1]));
+    let over_its_length = |v: [f64; 2]| v.map(|c| c / norm_of_any_size(&[v[0], v[1], 0.0]));
     if edge == [0.0; 2] { [1.0, 0.0] } else { over_its_length(over_its_length(edge)) }
 }
 

@@ -8,10 +8,9 @@
 //!
 //! # Method
 //! Let x be a point of the body turned halfway, x⊥ its part orthogonal to the axis, J the quarter turn. For an angle α
-//! of
-//! at most half of θ, R(α) x = x − (1 − cos α) x⊥ + sin α J x⊥. So all placements lie in the sum of the turned body,
-//! 1 − cos(θ/2) times the shadow and sin(θ/2) times the shadow turned by a quarter; the centre counts as a generator of
-//! the shadow. From θ = π on the largest sine is 1.
+//! of at most half of θ, R(α) x = x − (1 − cos α) x⊥ + sin α J x⊥. So all placements lie in the sum of the turned
+//! body, 1 − cos(θ/2) times the shadow and sin(θ/2) times the shadow turned by a quarter; the centre counts as a
+//! generator of the shadow. From θ = π on the largest sine is 1.
 //!
 //! # Complexity
 //! O(n) for n generators.

@@ -173,6 +173,18 @@ fn motions_are_held_at_every_time() {
             piece(1.0, [0.0, 0.0, 1.0, 0.0], [3.0, 0.0, 0.0]),
         ])
         .expect("a motion"),
+        // between these times there is no double: the part is half a turn in no time
+        Motion::from_pieces(&[
+            piece(0.5, identity, [0.0; 3]),
+            piece(0.5_f64.next_up(), [0.0, 0.0, 0.0, 1.0], [0.0; 3]),
+            piece(1.0, identity, [0.0, 1.0, 0.0]),
+        ])
+        .expect("a motion"),
+        Motion::from_pieces(&[
+            piece(f64::from_bits(1), [0.0, 1.0, 0.0, 0.0], [0.0; 3]),
+            piece(1.0, identity, [0.0; 3]),
+        ])
+        .expect("a motion"),
         Motion::through(&[
             key(0.0, [0.3, 0.1, 0.9, -0.2], [5.0, 0.0, 0.0]),
             key(0.7, [-0.1, 0.8, 0.3, 0.5], [1.0, 2.0, 0.0]),

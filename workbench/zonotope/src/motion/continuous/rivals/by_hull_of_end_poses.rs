@@ -10,8 +10,7 @@
 //!
 //! # Method
 //! The search of Gilbert, Johnson and Keerthi over the difference of the hulls, in doubles. The farthest point of a
-//! hull
-//! along a direction is that of one of the two placements.
+//! hull along a direction is that of one of the two placements.
 //!
 //! # Complexity
 //! O(n) for each step of a search, of which there are few.

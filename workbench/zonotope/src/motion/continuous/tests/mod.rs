@@ -12,6 +12,7 @@ use rand_pcg::Pcg64;
 mod any_size;
 mod degenerate;
 mod soundness;
+mod turning_directions;
 
 /// A body of random generators of about a size.
 pub(super) fn random_body(rng: &mut Pcg64, generators: usize, size: f64) -> Zonotope<3> {
