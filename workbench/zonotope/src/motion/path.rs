@@ -82,6 +82,9 @@ pub enum MotionError {
         /// The index of the part.
         part: usize,
     },
+    /// The first of several poses is not one at the time 0.
+    #[error("the first pose is at the time {0} and must be at 0")]
+    FirstPose(f64),
     /// The times of the parts do not go up from 0 to 1.
     #[error("part {part} of the motion ends at {until}: the times must go up, from above 0 to 1")]
     Times {
@@ -176,7 +179,7 @@ impl Motion {
             check_quaternions(part, &[pose.quaternion])?;
         }
         if let Some(first) = poses.first().filter(|first| first.time != 0.0) {
-            return Err(MotionError::Times { part: 0, until: first.time });
+            return Err(MotionError::FirstPose(first.time));
         }
         let mut pieces = Vec::with_capacity(poses.len());
         let mut before = poses.first().map_or([0.0; 4], |pose| pose.quaternion);
@@ -358,4 +361,25 @@ fn check_time(part: usize, from: f64, until: f64) -> Result<(), MotionError> {
 
 fn is_negative_product(q: &[f64; 4], r: &[f64; 4]) -> bool {
     dot(&exact(*q), &exact(*r)).sign().is_lt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_motion_is_refused_by_its_place() {
+        let refusal = |poses: &[(f64, [f64; 4])]| {
+            let pose = |&(time, quaternion)| KeyPose { time, quaternion, translation: [0.0; 3] };
+            Motion::through(&poses.iter().map(pose).collect::<Vec<_>>()).expect_err("no motion").to_string()
+        };
+        let one = [1.0, 0.0, 0.0, 0.0];
+        assert_eq!(refusal(&[(0.3, one), (1.0, one)]), "the first pose is at the time 0.3 and must be at 0");
+        assert_eq!(refusal(&[(0.0, one), (1.0, [0.0; 4])]), "a quaternion of part 1 of the motion is zero");
+        let times = "part 0 of the motion ends at 0.0: the times must go up, from above 0 to 1";
+        assert_eq!(refusal(&[(0.0, one), (0.0, one)]), times);
+        assert_eq!(refusal(&[]), times);
+        let turn = Motion::constant_rate([0.0; 3], [0.0, -0.0, 0.0], 1.0, [0.0; 3]).expect_err("no axis");
+        assert_eq!(turn, MotionError::ZeroAxis);
+    }
 }
