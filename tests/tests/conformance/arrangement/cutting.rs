@@ -14,7 +14,7 @@ use zonotope::tally::{Operation, OperationCounts};
 const CASES: u32 = 24;
 
 /// The largest number of lines of a long run.
-const LARGEST_INSTANCE: u32 = 8192;
+const LARGEST_INSTANCE: u32 = 4096;
 
 fn parameter(r: u32) -> NonZeroU32 {
     NonZeroU32::new(r).expect("the parameters of the tests are positive")
