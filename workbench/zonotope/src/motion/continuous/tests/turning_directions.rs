@@ -70,7 +70,7 @@ fn random_bodies_that_turn_at_constant_rate() {
             let mut vector = |size: f64| [0, 1, 2].map(|_| size * rng.random_range(-1.0..1.0));
             let (point, axis, translation) = (vector(2.0), vector(1.0), vector(4.0));
             if is_rational {
-                return Motion::from_pieces(&random_parts(&mut rng, 2)).expect("a motion");
+                return Motion::from_pieces(&random_parts(&mut rng, 1)).expect("a motion");
             }
             let angle = rng.random_range(-6.0..6.0);
             Motion::constant_rate(point, axis, angle, translation).expect("a motion")
