@@ -10,12 +10,12 @@
 //! # Method
 //! On a stretch between two quaternions the placement of a point x is a(s) + Σ B_i(s) M_i (x + w) / Σ B_i(s) d_i, B_i
 //! the Bernstein polynomials of degree 2 and d_i > 0: a convex combination of the control points M_i (x + w) / d_i,
-//! beside a segment. The displacement of x from the middle placement is linear in x at each of them, and largest along a
-//! coordinate axis at a vertex of the body.
+//! beside a segment. The displacement of x from the middle placement is linear in x at each of them, and largest along
+//! a coordinate axis at a vertex of the body.
 //!
-//! The stretch of each part of the motion is halved twice, exactly. Its quaternions p and q have no negative product, so
-//! that the product of those at s and s′ is at least (1 − s)(1 − s′) |p|² + s s′ |q|². That is 0 for s = 0 and s′ = 1
-//! alone, so all d_i of a quarter are positive.
+//! The stretch of each part of the motion is halved twice, exactly. Its quaternions p and q have no negative product,
+//! so that the product of those at s and s′ is at least (1 − s)(1 − s′) |p|² + s s′ |q|². That is 0 for s = 0 and
+//! s′ = 1 alone, so all d_i of a quarter are positive.
 //!
 //! # Complexity
 //! O(k n) exact operations for k parts and n generators.

@@ -1,8 +1,8 @@
 //! Sums of doubles, and of such sums times doubles, in fixed point: integers of so many words in units of a power of
 //! two.
 //!
-//! A [`Dyadic`] is allocated anew by every operation and finds its size anew. Where it is known beforehand how large and
-//! how fine a sum becomes, its words stay where they are, and a step is one pass over them.
+//! A [`Dyadic`] is allocated anew by every operation and finds its size anew. Where it is known beforehand how large
+//! and how fine a sum becomes, its words stay where they are, and a step is one pass over them.
 
 use dashu_int::{IBig, UBig};
 

@@ -1,13 +1,13 @@
-//! How far a rotation at constant rate is from the stretch that encloses it, along a direction.
+//! Bounds of how far a rotation at constant rate is from the stretch that encloses it, along a direction.
 //!
 //! Let the rotation about an axis be off by at most the angle δ.
 //! - Along a direction u that does not turn with the body, a point at the distance d from the axis is off by at most
 //!   δ d |u × a|, a the unit vector of the axis: it moves across the axis.
-//! - A direction that turns with the body turns as the motion does, not as the stretch does. Seen from the body it stands
-//!   still, and so does the body; the points of the *other* body are off by δ times their distance from the axis.
+//! - A direction that turns with the body turns as the motion does, not as the stretch does. Seen from the body it
+//!   stands still, and so does the body; the points of the *other* body are off by δ times their distance from the axis.
 //! - The normal of an edge of each body changes by δ times the lengths of both edges. Its product with the path between
-//!   two points is a determinant of three vectors. It is off by δ times these lengths and the distance of the other body's
-//!   points from a point of the axis, and as much again for the body's own points.
+//!   two points is a determinant. It is off by δ times these lengths and the distance of the other body's points from
+//!   a point of the axis, and as much again for the body's own points.
 
 use super::super::SeparatingDirection;
 use super::body::Body;
@@ -25,7 +25,7 @@ pub(in crate::motion::continuous) struct Margin {
     pub(in crate::motion::continuous) axis: [f64; 3],
     /// The largest distance of a point of the other body from its place, as this body sees it.
     pub(in crate::motion::continuous) of_other: f64,
-    /// How far a determinant with an edge of each body is off, for edges of length 1.
+    /// The error of a determinant with an edge of each body, for edges of length 1.
     pub(in crate::motion::continuous) of_normals: f64,
 }
 

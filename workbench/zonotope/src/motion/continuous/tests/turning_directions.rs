@@ -1,5 +1,5 @@
-//! Directions that turn with a body at constant rate prove a gap along themselves: they turn as the motion does, and not
-//! as the stretch of a linear quaternion that encloses it.
+//! Directions that turn with a body at constant rate prove a gap along themselves: they turn as the motion does, and
+//! not as the stretch of a linear quaternion that encloses it.
 
 use super::*;
 use crate::motion::quaternion::image;
