@@ -4,7 +4,7 @@
 //! - Along a direction u that does not turn with the body, a point at the distance d from the axis is off by at most
 //!   δ d |u × a|, a the unit vector of the axis: it moves across the axis.
 //! - A direction that turns with the body turns as the motion does, not as the stretch does. Seen from the body it
-//!   stands still, and so does the body; the points of the *other* body are off by δ times their distance from the axis.
+//!   stands still, and so does the body; points of the *other* body are off by δ times their distance from the axis.
 //! - The normal of an edge of each body changes by δ times the lengths of both edges. Its product with the path between
 //!   two points is a determinant. It is off by δ times these lengths and the distance of the other body's points from
 //!   a point of the axis, and as much again for the body's own points.
