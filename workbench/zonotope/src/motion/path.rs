@@ -376,7 +376,7 @@ mod tests {
         let one = [1.0, 0.0, 0.0, 0.0];
         assert_eq!(refusal(&[(0.3, one), (1.0, one)]), "the first pose is at the time 0.3 and must be at 0");
         assert_eq!(refusal(&[(0.0, one), (1.0, [0.0; 4])]), "a quaternion of part 1 of the motion is zero");
-        let times = "part 0 of the motion ends at 0.0: the times must go up, from above 0 to 1";
+        let times = "part 0 of the motion ends at 0: the times must go up, from above 0 to 1";
         assert_eq!(refusal(&[(0.0, one), (0.0, one)]), times);
         assert_eq!(refusal(&[]), times);
         let turn = Motion::constant_rate([0.0; 3], [0.0, -0.0, 0.0], 1.0, [0.0; 3]).expect_err("no axis");
