@@ -163,20 +163,28 @@ fn gauge(pair: &Pair<'_>) -> Judged {
     let Pair { input, right, changed, .. } = pair;
     let body = placed(input, "p");
     let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));
-    // The smallest double is a figure of any gauge below it, but for that of the centre.
-    let is_about_zero = right["gauge"] == 0.0
-        && changed["gauge"] == SMALLEST
-        && p.as_ref().is_some_and(|p| p.iter().any(|c| *c != RBig::ZERO));
-    let is_same = same_fields(&["at_most_one"], right, changed)
-        && (is_about_zero || same_figure(&right["gauge"], &changed["gauge"]));
+    let is_same =
+        same_fields(&["at_most_one"], right, changed) && is_gauge_of(p.as_deref(), &right["gauge"], &changed["gauge"]);
     Some(is_same).zip(proves(&p, &body.map(|(_, generators)| generators), right, changed))
 }
 
+/// Whether a changed gauge of a point, which is seen from the centre, is as right. The smallest double is a figure of
+/// any gauge below it, but for that of the centre.
+fn is_gauge_of(point: Option<&[RBig]>, right: &Value, changed: &Value) -> bool {
+    let is_off_the_center = || point.is_some_and(|p| p.iter().any(|c| *c != RBig::ZERO));
+    same_figure(right, changed) || (*right == 0.0 && *changed == SMALLEST && is_off_the_center())
+}
+
 fn member_batch(pair: &Pair<'_>) -> Judged {
+    let center = placed(pair.input, "center").map(|(center, _)| center);
+    let points: Option<Vec<Vec<RBig>>> =
+        center.zip(vectors(&pair.input["points"])).map(|(c, points)| points.iter().map(|p| minus(p, &c)).collect());
+    let point = |at: usize| points.as_ref().and_then(|points| points.get(at)).map(Vec::as_slice);
     let [old, new] = [pair.right, pair.changed].map(|result| result["gauge"].as_array());
-    let figures = old
-        .zip(new)
-        .map(|(old, new)| old.len() == new.len() && old.iter().zip(new).all(|(old, new)| same_figure(old, new)));
+    let figures = old.zip(new).map(|(old, new)| {
+        let mut pairs = old.iter().zip(new).enumerate();
+        old.len() == new.len() && pairs.all(|(at, (old, new))| is_gauge_of(point(at), old, new))
+    });
     Some(same_fields(&["status"], pair.right, pair.changed)).zip(figures)
 }
 
