@@ -12,7 +12,7 @@ use crate::zonotope::directions::Directions;
 #[derive(Debug)]
 pub(super) struct HalfEdges {
     generators: Vec<[f64; 3]>,
-    /// Where the generators of a rank begin, and where the last ones end.
+    /// The index at which the generators of each rank begin, and at last the number of all.
     starts: Vec<usize>,
     before: [FixedPoint; 3],
     area: [FixedPoint; 3],
