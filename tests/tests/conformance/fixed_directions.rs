@@ -17,7 +17,7 @@ use zonotope::linear_program::{Clarabel, Engine, Microlp};
 const CASES: u32 = 24;
 
 /// Up to this dimension the optimum in rationals is itself held to the twin that knows all normals; in R^4, where these
-/// are cubic in the directions and a case of the twin may take minutes, the library's own tests cross the two on small
+/// are cubic in the directions and a case of the twin may take minutes, `in_each_dimension` crosses the two on small
 /// instances.
 const ENUMERATED_DIMENSIONS: usize = 3;
 

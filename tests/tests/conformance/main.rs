@@ -9,6 +9,7 @@ mod faces;
 mod fixed_directions;
 mod hierarchy;
 mod hull;
+mod in_each_dimension;
 mod kernel;
 mod min_area;
 mod min_total_length;

@@ -1,10 +1,6 @@
-//! The runner of the library's property tests, and the number of instances that they draw.
+//! The notation of the library's property tests, and the number of instances that they draw.
 
-use std::any::Any;
-use std::fmt::Debug;
-
-use proptest::strategy::{BoxedStrategy, Strategy};
-use proptest::test_runner::{Config, TestCaseResult, TestRunner};
+use proptest::test_runner::Config;
 
 /// An ordinary run draws one in so many of the instances of a long run, which the variable `ZONOTOPE_CASES=long` of the
 /// environment asks for. It is read when the tests are compiled, since the library reads no environment.
@@ -21,40 +17,7 @@ pub(crate) fn config(long_run: u32) -> Config {
     Config::with_cases(if is_long { long_run } else { ordinary })
 }
 
-/// A value of any type that a property draws.
-///
-/// proptest compiles its runner anew for each type of values and each closure. All properties draw values of this one
-/// type and share one runner: with several hundred properties the runners would be an eighth of what is compiled.
-#[derive(Debug)]
-struct Drawn(Box<dyn Value>);
-
-trait Value: Any + Debug {
-    fn into_any(self: Box<Self>) -> Box<dyn Any>;
-}
-
-impl<T: Any + Debug> Value for T {
-    fn into_any(self: Box<Self>) -> Box<dyn Any> {
-        self
-    }
-}
-
-/// Holds the values of a strategy to a test.
-pub(crate) fn check<S>(config: Config, strategy: S, test: impl Fn(S::Value) -> TestCaseResult)
-where
-    S: Strategy + 'static,
-    S::Value: 'static,
-{
-    let drawn = strategy.prop_map(|value| Drawn(Box::new(value))).boxed();
-    run(config, &drawn, &|Drawn(value)| test(*value.into_any().downcast().expect("the strategy drew it")));
-}
-
-fn run(config: Config, drawn: &BoxedStrategy<Drawn>, test: &dyn Fn(Drawn) -> TestCaseResult) {
-    let mut runner = TestRunner::new(config);
-    let failure = runner.run(drawn, test).err().map(|error| error.to_string());
-    assert!(failure.is_none(), "{}\n{runner}", failure.unwrap_or_default());
-}
-
-/// Properties in the notation of `proptest!`, which share one runner: see [`Drawn`].
+/// Properties in the notation of `proptest!`, which share one runner.
 macro_rules! properties {
     (
         #![proptest_config($config:expr)]
@@ -67,7 +30,7 @@ macro_rules! properties {
                 test_name: Some(concat!(module_path!(), "::", stringify!($name))),
                 ..$config
             };
-            $crate::property_cases::check(config, ($($strategy,)+), |($($value,)+)| {
+            families::drawn::properties::hold(config, &($($strategy,)+), |($($value,)+)| {
                 $body
                 Ok(())
             });

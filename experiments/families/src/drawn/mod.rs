@@ -5,3 +5,4 @@ pub mod directions;
 pub mod lines;
 pub mod numbers;
 pub mod points;
+pub mod properties;

@@ -142,7 +142,7 @@ mod tests {
         assert_eq!(refused.to_string(), "direction 0, coordinate 1 is NaN, not a finite number");
         let refused = min_area(&[[0.0, 0.0], [f64::INFINITY, 0.0]]).expect_err("infinity is no coordinate");
         assert_eq!(refused.to_string(), "point 1, coordinate 0 is inf, not a finite number");
-        let refused = min_length(&[[0.0], [f64::NAN]], 0.5).expect_err("NaN is no coordinate");
+        let refused = min_length(&[[0.0; 2], [f64::NAN, 0.0]], 0.5).expect_err("NaN is no coordinate");
         assert_eq!(refused.to_string(), "point 1, coordinate 0 is NaN, not a finite number");
     }
 }

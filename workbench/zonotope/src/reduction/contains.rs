@@ -90,11 +90,9 @@ mod tests {
         fn agrees_with_brute_force(
             [a, b] in [body::<3>(0..6), body::<3>(0..4)],
             [c, d] in [body::<2>(0..6), body::<2>(0..4)],
-            [e, f] in [body::<1>(0..3), body::<1>(0..3)],
         ) {
             prop_assert_eq!(contains(&a, &b), Some(brute_force::contains(&a, &b)));
             prop_assert_eq!(contains(&c, &d), Some(brute_force::contains(&c, &d)));
-            prop_assert_eq!(contains(&e, &f), Some(brute_force::contains(&e, &f)));
             prop_assert_eq!(contains(&a, &a), Some(true));
         }
     }

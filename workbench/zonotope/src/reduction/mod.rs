@@ -33,6 +33,3 @@ pub use answer::{Containment, Problem, Reduced, ReductionError};
 pub use contains::contains;
 pub use method::Method;
 pub use shares::{Share, ShareFlaw, Shares};
-
-#[cfg(test)]
-mod tests;

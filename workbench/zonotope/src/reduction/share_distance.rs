@@ -132,8 +132,8 @@ mod tests {
     /// Squares of the short generators beside a long one are below all doubles.
     #[test]
     fn short_generators_beside_a_long_one_count() {
-        let body = |list: &[[f64; 1]]| Zonotope::new([0.0], list.to_vec()).expect("finite");
-        let inner = body(&[[0.75], [4.5e-56], [-1e219], [-0.96]]);
+        let on_an_axis = [0.75, 4.5e-56, -1e219, -0.96].map(|c| [c, 0.0]);
+        let inner = Zonotope::new([0.0; 2], on_an_axis.to_vec()).expect("finite");
         let problem = Problem::new(&inner, 2).expect("two are enough");
         let reduced = Method::Combastel.reduce(&problem).expect("it is short");
         let Containment::Shares(shares) = &reduced.proof else { panic!("shares prove it") };

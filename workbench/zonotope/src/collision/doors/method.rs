@@ -174,42 +174,6 @@ impl Method {
 mod tests {
     use super::*;
 
-    /// A point with all coordinates 3 against the cube [−2, 2]^D: the gauge is 1.5.
-    fn every_method_agrees<const D: usize>() {
-        let generators: Vec<[f64; D]> =
-            (0..D).map(|axis| std::array::from_fn(|other| if other == axis { 2.0 } else { 0.0 })).collect();
-        let [outside, inside] = [[3.0; D], [1.0; D]];
-        for method in Method::ALL {
-            for (point, is_inside) in [(outside, false), (inside, true)] {
-                let question = Query::new([0.0; D], point, &generators).expect("finite");
-                let found = method.locate(&question, 1, &mut ());
-                let refused = MethodError::Dimension { method, dimension: D };
-                if !method.dimensions().contains(&D) {
-                    assert_eq!(found, Err(refused));
-                    continue;
-                }
-                match found.expect("the method works in this dimension") {
-                    Some(location) => assert_eq!(location.status().name() == "inside", is_inside, "{method:?}"),
-                    None => assert!(!method.always_locates(), "{method:?}"),
-                }
-                match method.gauge(&question, &mut ()) {
-                    Ok(gauge) => assert!(method.measures() && gauge.value == if is_inside { 0.5 } else { 1.5 }),
-                    Err(error) => assert_eq!((error, method.measures()), (MethodError::NoGauge(method), false)),
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn methods_agree_where_they_work_and_say_where_they_do_not() {
-        every_method_agrees::<1>();
-        every_method_agrees::<2>();
-        every_method_agrees::<3>();
-        every_method_agrees::<4>();
-        every_method_agrees::<5>();
-        every_method_agrees::<8>();
-    }
-
     #[test]
     fn names_are_unique() {
         for method in Method::ALL {

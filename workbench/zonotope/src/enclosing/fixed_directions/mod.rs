@@ -80,6 +80,3 @@ pub(crate) use solve::{cheapest_center_along, contained};
 pub use by_row_generation::min_length_along;
 pub use method::Method;
 pub use problem::{FixedDirections, FixedDirectionsError};
-
-#[cfg(test)]
-mod tests;

@@ -57,6 +57,3 @@ mod sheared_box;
 pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 pub use direction_net::Net;
 pub use method::Method;
-
-#[cfg(test)]
-mod tests;

@@ -252,11 +252,6 @@ fn agrees_with_the_definition_in_the_plane() {
     cross_all::<2>(2, 30);
 }
 
-#[test]
-fn agrees_with_the_definition_on_the_line() {
-    cross_all::<1>(3, 30);
-}
-
 /// Answers on many generators, which the definition would take too long for: every proof is checked, and that the
 /// body times the gauge, a little smaller or larger, does not hold the point or holds it.
 fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {

@@ -1,16 +1,13 @@
-//! Every method against the truth on generated points and directions.
+//! Section 4.2: row generation and the program in rationals against the twin on all normals, on generated points and
+//! directions.
 
 use proptest::prelude::*;
-
-use super::*;
-use crate::interop::verifier::{check_min_length_dirs, check_min_length_dirs_at_any_gap};
-use crate::numeric::Rational;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::scaling::scale_by_power_of_two;
-
-fn rational(value: f64) -> Rational {
-    Dyadic::from_f64(value).to_rational()
-}
+use tests::kernel_twin::exactly;
+use zonotope::enclosing::fixed_directions::{
+    FixedDirections, FixedDirectionsError, brute_force, min_length_along, rational,
+};
+use zonotope::interop::verifier::{check_min_length_dirs, check_min_length_dirs_at_any_gap};
+use zonotope::numeric::scaling::scale_by_power_of_two;
 
 const TIGHT: f64 = 1e-12;
 
@@ -39,11 +36,11 @@ fn check<const D: usize>(
     prop_assert!(verdict.is_right(), "{:?} {:?}", verdict, answer);
     prop_assert_eq!(answer.optimal().is_some(), truth.is_some());
     if let (Some(answer), Some(truth)) = (answer.optimal(), truth) {
-        let excess = rational(answer.value) - &truth.value;
-        let allowed = &truth.value * rational(within);
+        let excess = exactly(answer.value) - &truth.value;
+        let allowed = &truth.value * exactly(within);
         prop_assert!(excess <= allowed, "{} of {:e} {:?}", answer.value, truth.value.to_f64_fast(), answer);
-        prop_assert!(rational(answer.lower_bound) <= truth.value);
-        let short = &truth.value - rational(answer.lower_bound);
+        prop_assert!(exactly(answer.lower_bound) <= truth.value);
+        let short = &truth.value - exactly(answer.lower_bound);
         prop_assert!(short <= allowed, "{} of {:e} {:?}", answer.lower_bound, truth.value.to_f64_fast(), answer);
     }
     Ok(())
@@ -71,8 +68,8 @@ macro_rules! dimensions {
         mod $name {
             use super::*;
 
-            properties! {
-                #![proptest_config(crate::property_cases::config(150))]
+            tests::properties! {
+                150;
 
                 #[test]
                 fn real_points_and_directions(points in real::<$d>(1..12), directions in real::<$d>($least..$most)) {

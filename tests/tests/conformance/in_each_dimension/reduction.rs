@@ -1,11 +1,12 @@
 //! Every rule against the exact truth and against its own proof, on small bodies of every kind.
 
-use super::brute_force::contains;
-use super::by_patches::{patch_count, patches_within};
-use super::hausdorff::excess;
-use super::{Containment, Method, Problem, Reduced, ReductionError};
-use crate::zonotope::Zonotope;
 use proptest::prelude::*;
+use zonotope::Zonotope;
+use zonotope::reduction::brute_force::contains;
+use zonotope::reduction::by_patches::{patch_count, patches_within};
+use zonotope::reduction::hausdorff::by_vertices::hausdorff_at_vertices;
+use zonotope::reduction::hausdorff::{Distance, excess};
+use zonotope::reduction::{self, Containment, Method, Problem, Reduced, ReductionError};
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -58,8 +59,8 @@ fn every_rule_encloses<const D: usize>(generators: &[[f64; D]]) -> Result<(), Te
     Ok(())
 }
 
-properties! {
-    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+tests::properties! {
+    48;
 
     #[test]
     fn every_rule_encloses_in_the_plane(
@@ -81,6 +82,42 @@ properties! {
     ) {
         every_rule_encloses(&generators)?;
     }
+}
+
+tests::properties! {
+    256;
+
+    #[test]
+    fn containment_on_a_line_agrees_with_brute_force(
+        lines in proptest::array::uniform2(proptest::collection::vec(proptest::array::uniform1(number()), 0..3)),
+        centers in proptest::array::uniform2(proptest::array::uniform1(number())),
+    ) {
+        let [a, b] = [0, 1].map(|i| Zonotope::new(centers[i], lines[i].clone()).expect("the numbers are finite"));
+        prop_assert_eq!(reduction::contains(&a, &b), Some(contains(&a, &b)));
+    }
+}
+
+/// Generators of small whole numbers, and the same with all coordinates an ulp higher.
+fn an_ulp_apart<const D: usize>(count: usize) -> [Zonotope<D>; 2] {
+    let coordinate = |i: usize, k: usize| ((i * i * (k + 2) + 3 * i + 5 * k) % 7) as f64 - 3.0;
+    let generators: Vec<[f64; D]> = (0..count).map(|i| std::array::from_fn(|k| coordinate(i + 1, k))).collect();
+    let moved: Vec<[f64; D]> = generators.iter().map(|g| g.map(f64::next_up)).collect();
+    [generators, moved].map(|list| Zonotope::new([0.0; D], list).expect("the numbers are finite"))
+}
+
+#[test]
+fn bodies_an_ulp_apart_take_few_operations_in_rationals() {
+    // more than the limit of these operations would leave no distance
+    let [a, b] = an_ulp_apart::<6>(8);
+    is_tight_to_its_value(hausdorff_at_vertices(&a, &b));
+    let [a, b] = an_ulp_apart::<4>(12);
+    is_tight_to_its_value(hausdorff_at_vertices(&a, &b));
+}
+
+fn is_tight_to_its_value<const D: usize>(distance: Option<Distance<D>>) {
+    let distance = distance.expect("the bodies have few vertices");
+    assert!(distance.value > 0.0 && distance.value < 1e-13, "{distance:?}");
+    assert!(distance.upper <= distance.value.next_up(), "{distance:?}");
 }
 
 #[test]

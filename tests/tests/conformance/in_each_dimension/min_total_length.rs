@@ -1,12 +1,14 @@
-//! The proven ratios, and the optimum where another way to it exists.
+//! Section 4.3: the proven ratios, and the optimum where another way to it exists.
 
 use proptest::prelude::*;
-use rand::{RngExt, SeedableRng};
-
-use super::*;
-use crate::enclosing::min_length;
-use crate::interop::verifier::check_min_length_all;
-use crate::tally::{Operation, OperationCounts};
+use tests::dice::Dice;
+use tests::runner::is_long;
+use zonotope::enclosing::min_length;
+use zonotope::enclosing::min_total_length::{
+    Method, MinLengthError, MinLengthZonotope, Net, Outcome, by_direction_net, in_the_plane,
+};
+use zonotope::interop::verifier::check_min_length_all;
+use zonotope::tally::{Operation, OperationCounts};
 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
     let answer = min_length(points, epsilon).expect("finite points");
@@ -29,8 +31,8 @@ fn lattice<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value
     proptest::collection::vec(proptest::array::uniform((-2i8..3).prop_map(f64::from)), count)
 }
 
-properties! {
-    #![proptest_config(crate::property_cases::config(24))]
+tests::properties! {
+    24;
 
     #[test]
     fn in_the_plane_the_optimum_is_a_quarter_of_a_perimeter(points in real::<2>(1..12)) {
@@ -100,10 +102,10 @@ fn four_dimensions_and_flat_sets() {
 
 #[test]
 fn points_on_a_sphere_to_the_last_digits() {
-    let mut rng = rand_pcg::Pcg64::seed_from_u64(4);
+    let mut dice = Dice::new(4);
     let points: Vec<[f64; 3]> = (0..60)
         .map(|_| {
-            let p: [f64; 3] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
+            let p: [f64; 3] = std::array::from_fn(|_| dice.unit());
             let length = p.iter().map(|c| c * c).sum::<f64>().sqrt();
             p.map(|c| c / length)
         })
@@ -133,11 +135,11 @@ fn needles_and_plates_to_the_last_digits() {
 
 #[test]
 fn points_near_each_other_to_the_last_digits() {
-    let mut rng = rand_pcg::Pcg64::seed_from_u64(9);
+    let mut dice = Dice::new(9);
     for near in [1e-3, 1e-6, 1e-8] {
         let mut points = truncated();
         for j in 0..6 {
-            let other = points[j].map(|c| c + near * rng.random_range(-1.0..1.0));
+            let other = points[j].map(|c| c + near * dice.unit());
             points.push(other);
         }
         check(&points, 1e-9).expect("a cloud with clusters");
@@ -231,7 +233,7 @@ fn many_corners_take_few_generators_by_default() {
 
 #[test]
 fn two_thousand_corners_take_few_generators_by_default() {
-    if option_env!("ZONOTOPE_CASES") == Some("long") {
+    if is_long() {
         torus_by_default(32, 16, 1 << 31, 250, 60);
         torus_by_default(64, 32, 1 << 33, 250, 60);
     }
