@@ -182,6 +182,7 @@ impl<const D: usize> Gauge<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::Status;
     use crate::collision::by_lad::locate;
     use crate::zonotope::Zonotope;
     use crate::zonotope::pose::Pose;
