@@ -11,7 +11,7 @@ use zonotope::numeric::scaling::scale_by_power_of_two;
 
 const TIGHT: f64 = 1e-12;
 
-/// Where doubles may not hold the best centre: only what is proven is checked.
+/// Only what is proven is checked: doubles may not hold the best centre.
 const PROVEN: f64 = f64::MAX;
 
 /// The answer is proven, infeasible just when the truth is, and its bounds are so near to it, relatively.
