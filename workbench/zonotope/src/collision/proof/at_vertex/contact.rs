@@ -26,9 +26,10 @@ use crate::zonotope::location::Witness;
 /// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
-/// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite, and the
-/// signs of all products with it; which of the two cannot be read off u, as its square underflows where the generators
-/// are short. `errors` bounds how far a sum of generators with coefficients in [−1, 1] may be off in doubles. O(n).
+/// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite; which of
+/// the two cannot be read off u, as its square underflows where the generators are short. The signs are written anew:
+/// of a generator near the plane of the facet there may be a share. `errors` bounds how far a sum of generators with
+/// coefficients in [−1, 1] may be off in doubles. O(n).
 pub(super) fn touching(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
@@ -48,6 +49,7 @@ pub(super) fn touching(
     for (i, v) in vectors.iter().enumerate() {
         let along = dot(&v.value, u);
         if along.abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW {
+            signs[i] = along.signum();
             if along.abs() > height {
                 (third, height) = (Some(i), along.abs());
             }
@@ -192,6 +194,24 @@ mod tests {
         // a unit in the last place above and below
         assert_ne!(proved(&body, [0.5, 0.0, 1.25f64.next_up()], [0, 1]), Some("boundary"));
         assert_ne!(proved(&body, [0.5, 0.0, 1.25f64.next_down()], [0, 1]), Some("boundary"));
+    }
+
+    /// The last generator of the plane z = 0 is 4e-14 off the facet of the third one: it is given a share before it is
+    /// known that no shares prove the point, and has its sign here all the same.
+    #[test]
+    fn a_generator_near_the_facet_counts_with_its_sign() {
+        let near = [-2.0, -2.000_000_000_000_02, 0.0];
+        let body = [[3.0, 2.0, 0.0], [1.0, 0.0, 0.0], [2.0, 2.0, 0.0], [-2.0, -2.0, 0.0], near, [0.0, 0.0, 1.0]];
+        for n in 2..5 {
+            let own = [&body[..n], &body[4..]].concat();
+            let last = own.len() - 1;
+            for pair in (0..last).map(|i| [i, last]) {
+                assert_ne!(proved(&own, [4.0, 2.0, 0.0], pair), Some("boundary"), "{own:?} {pair:?}");
+            }
+            let query = Query::new([0.0; 3], [4.0, 2.0, 0.0], &own).expect("finite");
+            let located = crate::collision::by_lad::locate(&query, &mut ());
+            assert_eq!(located.status(), brute_force::locate(&query).status(), "{own:?}");
+        }
     }
 
     #[test]
