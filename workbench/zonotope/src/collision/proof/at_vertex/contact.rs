@@ -26,10 +26,10 @@ use crate::zonotope::location::Witness;
 /// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
-/// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite; which of
-/// the two cannot be read off u, as its square underflows where the generators are short. The signs are written anew:
-/// of a generator near the plane of the facet there may be a share. `errors` bounds how far a sum of generators with
-/// coefficients in [−1, 1] may be off in doubles. O(n).
+/// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite; which
+/// of the two cannot be read off u, as its square underflows where the generators are short. The signs are written
+/// anew: of a generator near the plane of the facet there may be a share. `errors` bounds how far a sum of generators
+/// with coefficients in [−1, 1] may be off in doubles. O(n).
 pub(super) fn touching(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
