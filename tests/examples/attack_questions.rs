@@ -65,7 +65,11 @@ fn main() -> ExitCode {
     let (seconds, seed) = (number("SECONDS"), number("SEED"));
     let chosen = arguments.next();
     let kinds: Vec<_> = KINDS.iter().filter(|kind| chosen.as_ref().is_none_or(|name| name == kind.name)).collect();
-    let populations = [(Population::Ordinary, "ordinary numbers"), (Population::AnySize, "numbers of any size")];
+    let populations = [
+        (Population::Ordinary, "ordinary numbers"),
+        (Population::AnySize, "numbers of any size"),
+        (Population::NearTies, "near ties"),
+    ];
     let share = Duration::from_secs(seconds) / (kinds.len() * populations.len()).max(1) as u32;
     let (mut asked, mut faults) = (0, 0);
     for (place, kind) in (0_u64..).zip(kinds) {

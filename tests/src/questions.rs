@@ -5,6 +5,8 @@ use serde_json::{Value, json};
 
 use crate::dice::Dice;
 
+mod near_ties;
+
 /// The population from which the numbers of a question come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Population {
@@ -12,6 +14,8 @@ pub enum Population {
     Ordinary,
     /// Numbers over the whole range of doubles, the smallest and the largest among them.
     AnySize,
+    /// Whole numbers, generators that are nearly parallel to others, and points near facets.
+    NearTies,
 }
 
 /// The style of the numbers of one question.
@@ -70,6 +74,7 @@ impl Style {
                 4 => Self::Smallest,
                 _ => Self::Largest,
             },
+            Population::NearTies => Self::Whole,
         }
     }
 
@@ -147,7 +152,11 @@ fn vectors(dice: &mut Dice, style: Style, dimension: usize, count: usize) -> Vec
 pub fn question(dice: &mut Dice, population: Population, kind: &str, id: &str) -> Value {
     let style = Style::of(dice, population);
     let dimension = *dice.choose(&[1, 2, 2, 3, 3, 3, 4]);
-    json!({"id": id, "kind": kind, "input": input(dice, kind, style, dimension)})
+    let mut input = input(dice, kind, style, dimension);
+    if population == Population::NearTies {
+        near_ties::arrange(dice, &mut input);
+    }
+    json!({"id": id, "kind": kind, "input": input})
 }
 
 /// A zonotope with so many generators.

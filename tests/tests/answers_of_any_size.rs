@@ -1,5 +1,5 @@
-//! Answers of the program are not called wrong: questions of every kind about ordinary numbers and about numbers of any
-//! size are asked, and the answers are given to the verifier.
+//! Answers of the program are not called wrong: questions of every kind about ordinary numbers, about numbers of any size
+//! and near ties are asked, and the answers are given to the verifier.
 //!
 //! An ordinary run asks a few questions of each kind; `ZONOTOPE_CASES=long` asks more, of other sizes as well.
 
@@ -43,4 +43,9 @@ fn answers_about_ordinary_numbers_verify() {
 #[test]
 fn answers_about_numbers_of_any_size_verify() {
     answers_verify(Population::AnySize);
+}
+
+#[test]
+fn answers_near_ties_verify() {
+    answers_verify(Population::NearTies);
 }

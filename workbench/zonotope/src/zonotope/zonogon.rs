@@ -12,12 +12,11 @@ impl Zonotope<2> {
     /// The generators turned into the half-plane of directions from (0, −1) (exclusive) counter-clockwise to (0, 1),
     /// sorted by angle, parallel ones added up, zero ones dropped; exact sums. O(n log n).
     pub fn sorted_generators(&self) -> Vec<Exact> {
-        let mut generators: Vec<[f64; 2]> =
+        let generators: Vec<[f64; 2]> =
             self.generators().iter().filter(|g| **g != [0.0, 0.0]).map(|&g| rightward(g)).collect();
-        generators.sort_by(|&a, &b| turn(a, b).reverse());
         let mut sorted: Vec<Exact> = Vec::with_capacity(generators.len());
         let mut last = None;
-        for generator in generators {
+        for generator in sorted_by_angle(&generators, &mut 0) {
             let exact = generator.map(Dyadic::from_f64);
             match (last, sorted.last_mut()) {
                 (Some(previous), Some(sum)) if turn(previous, generator) == Ordering::Equal => {
@@ -77,6 +76,41 @@ pub(crate) fn rightward([x, y]: [f64; 2]) -> [f64; 2] {
     if x < 0.0 || (x == 0.0 && y < 0.0) { [-x, -y] } else { [x, y] }
 }
 
+/// Vectors that point [`rightward`], none of them zero, in the order of their angles. O(n log n); the comparisons are
+/// counted.
+///
+/// A quotient y/x in doubles never falls where the slope rises, so wherever two quotients differ, their order is the
+/// exact one. Whole numbers are sorted in their place, which a processor does in half the time: the first bits of each
+/// quotient, followed by the place of its vector. The exact turn decides among vectors with the same first bits alone.
+pub(crate) fn sorted_by_angle(vectors: &[[f64; 2]], comparisons: &mut u64) -> Vec<[f64; 2]> {
+    let bits = usize::BITS - vectors.len().leading_zeros();
+    let places = (1 << bits) - 1;
+    let key = |[x, y]: [f64; 2]| {
+        // an abscissa of −0 would turn the slope of an upward vector over
+        let slope = (y / (x + 0.0)).to_bits();
+        let rising = if slope >> 63 == 1 { !slope } else { slope | 1 << 63 };
+        rising & !places
+    };
+    let mut keys: Vec<u64> = (0..).zip(vectors).map(|(place, &v)| key(v) | place).collect();
+    keys.sort_unstable_by(|a, b| {
+        *comparisons += 1;
+        a.cmp(b)
+    });
+    let mut sorted: Vec<[f64; 2]> = keys.iter().map(|key| vectors[(key & places) as usize]).collect();
+    let mut start = 0;
+    for alike in keys.chunk_by(|a, b| a >> bits == b >> bits) {
+        let end = start + alike.len();
+        if alike.len() > 1 {
+            sorted[start..end].sort_unstable_by(|&a, &b| {
+                *comparisons += 1;
+                turn(b, a)
+            });
+        }
+        start = end;
+    }
+    sorted
+}
+
 /// The sign of the cross product of two vectors.
 pub(crate) fn turn(a: [f64; 2], b: [f64; 2]) -> Ordering {
     let origin = [0.0, 0.0];
@@ -125,7 +159,32 @@ mod tests {
         }
     }
 
+    /// Coordinates between which quotients tie, overflow and underflow.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        let sizes =
+            prop_oneof![4 => Just(1.0), 1 => Just(5e-324), 1 => Just(1e-310), 1 => Just(1e-160), 1 => Just(5e307)];
+        ((-3i8..4).prop_map(f64::from), sizes, 0..4u64).prop_map(|(number, size, ulps)| {
+            let moved = f64::from_bits((number * size).to_bits() + ulps);
+            if ulps == 3 { number * size } else { moved }
+        })
+    }
+
     properties! {
+        #[test]
+        fn vectors_are_sorted_by_exact_turns(drawn in proptest::collection::vec([coordinate(), coordinate()], 0..40)) {
+            let vectors: Vec<[f64; 2]> = drawn.into_iter().filter(|v| *v != [0.0; 2]).map(rightward).collect();
+            let sorted = sorted_by_angle(&vectors, &mut 0);
+            for pair in sorted.windows(2) {
+                prop_assert_ne!(turn(pair[0], pair[1]), Ordering::Less);
+            }
+            let bits = |list: &[[f64; 2]]| {
+                let mut bits: Vec<[u64; 2]> = list.iter().map(|v| v.map(f64::to_bits)).collect();
+                bits.sort_unstable();
+                bits
+            };
+            prop_assert_eq!(bits(&sorted), bits(&vectors));
+        }
+
         #[test]
         fn area_is_the_sum_over_pairs(zonogon in lattice_zonogon()) {
             let g = zonogon.generators();

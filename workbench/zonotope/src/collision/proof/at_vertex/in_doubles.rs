@@ -355,4 +355,39 @@ mod tests {
         }
         assert!(asked > 600 && answered * 100 > asked * 97, "{answered} of {asked}");
     }
+
+    /// Generators that are parallel to others but for some ulps, and points that would be on a facet if they were.
+    #[test]
+    fn generators_that_are_nearly_of_the_facet_count_with_their_signs() {
+        let random = &mut Pcg64Mcg::seed_from_u64(12);
+        let mut found = 0;
+        for round in 0..400 {
+            let n = 3 + round % 4;
+            let mut body: Vec<[f64; 3]> =
+                (0..n).map(|_| [0, 1, 2].map(|_| f64::from(random.random_range(-3..4)))).collect();
+            for i in 1..n {
+                if random.random_range(0..2) == 0 {
+                    let factor = [-1.0, 1.0, 0.5][random.random_range(0..3)];
+                    body[i] = body[random.random_range(0..i)].map(|c| factor * c);
+                }
+            }
+            let [i, j] = [random.random_range(0..n), random.random_range(0..n)];
+            let u = cross(&body[i], &body[j]);
+            let mut share = |v: &[f64; 3]| match dot(v, &u) {
+                0.0 => f64::from(random.random_range(-2..3)) / 2.0,
+                along => along.signum(),
+            };
+            let p = body.iter().fold([0.0; 3], |sum, v| minus(sum, -share(v), v));
+            for v in &mut body {
+                v[random.random_range(0..3)] += f64::from(random.random_range(-2..3)) * 7e-15;
+            }
+            let status = brute_force::locate(&Query::new([0.0; 3], p, &body).expect("finite")).status().name();
+            for pair in (0..n).flat_map(|i| (0..i).map(move |j| [i, j])) {
+                let answer = proved(&body, p, pair);
+                assert!(answer.is_none_or(|answer| answer == status), "{answer:?} {status} {body:?} {p:?}");
+                found += u32::from(answer.is_some());
+            }
+        }
+        assert!(found > 400, "{found}");
+    }
 }

@@ -21,7 +21,8 @@ use crate::tally::Rung;
 use crate::zonotope::location::{Location, Separation, Witness};
 
 /// The location of p, with its proof, from the computed normal u of two generators, which is a × b or, if it is
-/// reversed, its opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
+/// reversed, its opposite, and a share in [−1, 1] of each other generator: the sign of its product with u, as a rule.
+/// A share of 1 or −1 may be another one than the sign. O(n).
 pub(super) fn location_in_pairs(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
@@ -39,10 +40,11 @@ pub(super) fn location_in_pairs(
     // a bound of Σ |v · n| − n · S, which is not zero as some signs are not certain
     let mut doubt = BoundedDoubleDouble::exact(0.0);
     for (i, v) in vectors.iter().enumerate() {
-        let is_certain = dot(&v.value, u).abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW;
+        let along = dot(&v.value, u);
+        let is_certain = along.abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW;
         if pair.contains(&i) {
             coefficients[i] = 0.0;
-        } else if !is_certain || shares[i].abs() < 1.0 {
+        } else if !is_certain || shares[i] != along.signum() {
             let product = dot(&normal, &vectors.pairs(i));
             match product.sign() {
                 Some(sign) if shares[i].abs() == 1.0 => coefficients[i] = f64::from(sign),

@@ -57,6 +57,7 @@ mod approach;
 mod control_zonotopes;
 pub(super) mod directions;
 mod edges;
+mod joined;
 
 use self::directions::fixed_in_space;
 use super::scene::{Apart, Scene};
@@ -136,7 +137,7 @@ impl Search<'_, '_> {
         let open = |times| Open { times, hints: [None; 2], meets: false, cuts: 0 };
         self.open = self.scene.moving.parts().into_iter().rev().map(open).collect();
         for _ in 0..STRETCH_LIMIT {
-            let Some(stretch) = self.open.pop() else { return FirstContact::Separate { free: self.free } };
+            let Some(stretch) = self.open.pop() else { return self.separate() };
             self.tally.add(Operation::Stretch, 1);
             let times = stretch.times;
             let decided = if stretch.meets { self.approach(stretch) } else { self.decide(stretch) };
@@ -148,8 +149,13 @@ impl Search<'_, '_> {
         }
         match self.open.pop() {
             Some(Open { times, .. }) => self.grazing(times),
-            None => FirstContact::Separate { free: self.free },
+            None => self.separate(),
         }
+    }
+
+    /// The answer where all stretches are proved.
+    fn separate(self) -> FirstContact {
+        FirstContact::Separate { free: joined::joined(&self.scene.moving, self.free, self.tally) }
     }
 
     /// Proves a stretch, or cuts it in halves.

@@ -4,7 +4,7 @@ use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, exact};
 use crate::numeric::linear::euclidean_norm;
-use crate::numeric::tolerance::{ROUNDED_UNIT_VECTOR, SMALLEST};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, ROUNDED_UNIT_VECTOR, SMALLEST, UNIT};
 
 /// The axis a, and f and g = a × f orthogonal to it: a right-handed frame.
 #[derive(Debug, Clone)]
@@ -38,9 +38,51 @@ impl Plane {
         self.units.each_ref().map(|unit| products([0, 1, 2].map(|k| (unit[k], v[k]))))
     }
 
+    /// The coordinates along f and g alone, for vectors of doubles.
+    pub(in super::super) fn projection(&self) -> Projection {
+        let [_, f, g] = &self.units;
+        let rounding = |unit: &Bounded| (unit.error + 3.0 * UNIT * unit.value.abs()) * FIVE_ROUNDINGS;
+        // the product with a coordinate that is 0, 1 or −1 is exact, and so is the sum with the products that are 0
+        let is_exact = |unit: &BoundedVector| unit.iter().all(|c| c.error == 0.0 && c.value.abs().fract() == 0.0);
+        let weights = |unit: &BoundedVector| unit.each_ref().map(|c| if is_exact(unit) { 0.0 } else { rounding(c) });
+        let (of_f, of_g) = (weights(f), weights(g));
+        Projection {
+            units: [f, g].map(|unit| unit.map(|c| c.value)),
+            weights: [0, 1, 2].map(|k| (of_f[k] + of_g[k]) * FIVE_ROUNDINGS),
+        }
+    }
+
     /// The vector of coordinates.
     pub(in super::super) fn vector(&self, coordinates: &[Bounded; 3]) -> BoundedVector {
         [0, 1, 2].map(|k| products([0, 1, 2].map(|i| (self.units[i][k], coordinates[i]))))
+    }
+}
+
+/// The projection of vectors of doubles onto the plane, in doubles, and a bound of what rounding takes from a sum of
+/// many: one bound for all of them costs three additions a vector, bounds of their own six times as much.
+#[derive(Debug)]
+pub(in super::super) struct Projection {
+    units: [[f64; 3]; 2],
+    /// How much of each coordinate's magnitude the two coordinates in the plane are off together.
+    weights: [f64; 3],
+}
+
+impl Projection {
+    /// The coordinates in the plane.
+    #[inline]
+    pub(in super::super) fn of(&self, v: [f64; 3]) -> [f64; 2] {
+        self.units.map(|u| u[0] * v[0] + u[1] * v[1] + u[2] * v[2])
+    }
+
+    /// A bound of the sum of |x − x'| + |y − y'| over vectors projected to (x', y') in place of (x, y), but for what
+    /// underflows, by the sums of the magnitudes of their coordinates.
+    pub(in super::super) fn off(&self, magnitudes: [f64; 3]) -> f64 {
+        (0..3).map(|k| self.weights[k] * magnitudes[k]).sum::<f64>() * FIVE_ROUNDINGS
+    }
+
+    /// Whether the coordinates in the plane are coordinates of the vectors or their opposites.
+    pub(in super::super) fn is_exact(&self) -> bool {
+        self.weights == [0.0; 3]
     }
 }
 

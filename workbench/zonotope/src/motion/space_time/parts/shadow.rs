@@ -5,11 +5,10 @@
 
 use super::plane::Plane;
 use super::scaled_body::ScaledBody;
-use crate::numeric::bounded::Bounded;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::scaling::power_of_two;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::zonogon::{rightward, turn};
+use crate::zonotope::zonogon::sorted_by_angle;
 
 /// The zonogon of a centre and generators sorted by angle.
 #[derive(Debug)]
@@ -23,24 +22,13 @@ pub(in super::super) struct Shadow {
 impl Shadow {
     /// The shadow of a body, seen from the axis. Generators that are read and comparisons that sort them are counted.
     pub(in super::super) fn of(plane: &Plane, body: &ScaledBody<'_>, tally: &mut dyn Tally) -> Self {
-        let mut off = 0.0;
-        let mut rounded = |v: [Bounded; 3]| {
-            let [_, x, y] = plane.coordinates(&v);
-            off += x.error + y.error;
-            [x.value, y.value]
-        };
-        let center = rounded(body.arm);
-        let mut generators: Vec<[f64; 2]> =
-            body.generators().map(rounded).filter(|g| *g != [0.0; 2]).map(rightward).collect();
+        let [_, x, y] = plane.coordinates(&body.arm);
+        let (projected, off) = body.projected(&plane.projection());
         let mut comparisons = 0;
-        generators.sort_unstable_by(|&a, &b| {
-            comparisons += 1;
-            turn(b, a)
-        });
+        let generators = sorted_by_angle(&projected, &mut comparisons);
         tally.add(Operation::Comparison, comparisons);
         tally.add(Operation::GeneratorRead, body.generators().len() as u64);
-        let terms = body.generators().len() as f64;
-        Self { center, generators, off: off * (1.0 + (terms + 4.0) * f64::EPSILON) }
+        Self { center: [x.value, y.value], generators, off: (off + x.error + y.error) * (1.0 + 4.0 * f64::EPSILON) }
     }
 
     /// Twice the number of generators that are not zero: how many vertices are visited.

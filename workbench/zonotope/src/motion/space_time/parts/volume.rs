@@ -25,19 +25,24 @@ pub(in super::super) struct Volume {
 impl Volume {
     /// The volume that a segment sweeps: that of the translation around half of it, from a point.
     pub(in super::super) fn translated(from: [f64; 3], sweep: &Sweep, exponent: i64) -> Self {
+        Self::around(Vec::new(), from, sweep, exponent)
+    }
+
+    /// The volume that generators around a point sweep by the translation alone.
+    fn around(generators: Vec<[f64; 3]>, from: [f64; 3], sweep: &Sweep, exponent: i64) -> Self {
         let half = exact(sweep.translation).map(|c| c.scaled(-1));
         let center = sum(&exact(from), &half);
-        let mut volume =
-            Self { exponent, center, generators: Vec::new(), loss: Loss::none(), spread: [0.0; 3], terms: 4.0 };
+        let mut volume = Self { exponent, center, generators, loss: Loss::none(), spread: [0.0; 3], terms: 4.0 };
         volume.add_exact(&half);
         volume
     }
 
     /// The body as it stands, translated.
     pub(in super::super) fn of_body(body: &Zonotope<3>, sweep: &Sweep, exponent: i64) -> Self {
-        let mut volume = Self::translated(body.center(), sweep, exponent);
-        volume.generators.splice(0..0, body.generators().iter().copied());
-        volume
+        // the generators that a volume adds: the translation, two across the axis, three for what rounding takes
+        let mut generators = Vec::with_capacity(body.generators().len() + 6);
+        generators.extend_from_slice(body.generators());
+        Self::around(generators, body.center(), sweep, exponent)
     }
 
     /// The volume of the translation alone, which is exact but for rounding the centre.

@@ -70,15 +70,17 @@ impl<N: Number> Polytope<N> {
         self.add(opposite) || is_added
     }
 
-    /// The faces that see the point from outside give way to triangles from their common boundary to it.
+    /// The faces that see the point from outside give way to triangles from their common boundary to it; `false`, and
+    /// the surface stays as it is, if none does, and if rounding would tear it.
+    ///
+    /// A surface like a sphere with c corners has at most 2c − 4 faces. Where rounding shows the point to scattered
+    /// faces there would be more, and their number could double with each corner.
     fn add(&mut self, point: [N; 3]) -> bool {
         let rounded = point.each_ref().map(N::rounded);
-        let (mut open, mut kept) = (Vec::<[usize; 2]>::new(), Vec::with_capacity(self.faces.len() + 2));
-        for face in std::mem::take(&mut self.faces) {
-            if !self.is_beyond(&face, &point, &rounded) {
-                kept.push(face);
-                continue;
-            }
+        let mut open = Vec::<[usize; 2]>::new();
+        let faces = std::mem::take(&mut self.faces);
+        let (seen, kept): (Vec<_>, Vec<_>) = faces.into_iter().partition(|face| self.is_beyond(face, &point, &rounded));
+        for face in &seen {
             let [a, b, c] = face.corners;
             for [from, to] in [[a, b], [b, c], [c, a]] {
                 match open.iter().position(|edge| *edge == [to, from]) {
@@ -87,8 +89,10 @@ impl<N: Number> Polytope<N> {
                 }
             }
         }
+        let is_torn = kept.len() + open.len() > 2 * (self.corners.len() + 1) - 4;
         self.faces = kept;
-        if open.is_empty() {
+        if open.is_empty() || is_torn {
+            self.faces.extend(seen);
             return false;
         }
         let apex = self.corner(point);
