@@ -1,7 +1,11 @@
 //! The committed drawings are what the code draws, byte for byte. `ZONOTOPE_BLESS=1` writes them anew.
+//!
+//! An ordinary run leaves out the drawings of the counts that take longest; `ZONOTOPE_CASES=long` and `ZONOTOPE_BLESS=1`
+//! draw all.
 
 use experiments::catalog::find as find_experiment;
 use experiments::definition::{Experiment, Profile};
+use experiments::definitions::{collision_scaling, lad_scaling, least_volume, mesh_node_tests};
 use experiments::runner::{self, Records, RunOptions};
 use figures::catalog::FIGURES;
 use figures::figure::{Figure, FigureError, FigureInput};
@@ -13,6 +17,14 @@ use std::sync::LazyLock;
 /// The seed and the profile of `zonobench reproduce` when nothing else is said.
 const SEED: u64 = 2003;
 const PROFILE: Profile = Profile::Quick;
+
+/// The experiments whose counts together take as long as those of all others.
+const LONG: [&str; 4] = [
+    lad_scaling::EXPERIMENT.id,
+    mesh_node_tests::COUNTS.id,
+    collision_scaling::EXPERIMENT.id,
+    least_volume::EXPERIMENT.id,
+];
 
 fn gallery() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("gallery")
@@ -26,10 +38,22 @@ fn needs_records(figure: &Figure) -> bool {
     matches!(figure.draw(&FigureInput::default()), Err(FigureError::NoRecords(_)))
 }
 
-/// The operation counts that committed figures show.
+/// Whether a variable of the environment is set to a value.
+fn is_set(variable: &str, value: &str) -> bool {
+    std::env::var_os(variable).is_some_and(|set| set == value)
+}
+
+/// The figures that this run draws.
+fn drawn() -> impl Iterator<Item = &'static Figure> {
+    let all = is_set("ZONOTOPE_CASES", "long") || is_set("ZONOTOPE_BLESS", "1");
+    let is_long = |figure: &Figure| figure.experiments.iter().any(|id| LONG.contains(id)) && needs_records(figure);
+    committed().filter(move |figure| all || !is_long(figure))
+}
+
+/// The operation counts that they show.
 fn counts() -> Records {
     let mut shown: Vec<&'static Experiment> = Vec::new();
-    for id in committed().filter(|figure| needs_records(figure)).flat_map(|figure| figure.experiments) {
+    for id in drawn().filter(|figure| needs_records(figure)).flat_map(|figure| figure.experiments) {
         if shown.iter().all(|other| other.id != *id) {
             shown.push(find_experiment(id).expect("another test finds the experiments of all figures"));
         }
@@ -46,17 +70,17 @@ fn counts() -> Records {
     runner::run(&shown, &options, &()).expect("counting without a folder touches no file")
 }
 
-/// Every committed figure as the code draws it.
+/// The figures as the code draws them.
 static DRAWN: LazyLock<Vec<(&str, String)>> = LazyLock::new(|| {
     let records = counts();
     let input = FigureInput { records: Some(&records) };
-    let drawn = |figure: &Figure| figure.draw(&input).unwrap_or_else(|error| panic!("{}: {error}", figure.id));
-    committed().map(|figure| (figure.id, drawn(figure))).collect()
+    let draw = |figure: &Figure| figure.draw(&input).unwrap_or_else(|error| panic!("{}: {error}", figure.id));
+    drawn().map(|figure| (figure.id, draw(figure))).collect()
 });
 
 #[test]
 fn drawings_are_those_of_the_gallery() {
-    let bless = std::env::var_os("ZONOTOPE_BLESS").is_some_and(|value| value == "1");
+    let bless = is_set("ZONOTOPE_BLESS", "1");
     if bless {
         fs::create_dir_all(gallery()).expect("the folder can be made");
     }

@@ -7,5 +7,6 @@ mod bodies;
 mod combinatorics;
 mod fixed_directions;
 mod min_total_length;
+mod on_a_line;
 mod proofs;
 mod reduction;
