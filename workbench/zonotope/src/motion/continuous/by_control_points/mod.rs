@@ -25,6 +25,7 @@
 //!    must prove the contact for the exact placements; else it is a stretch like others, and so is what follows it.
 //! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing; so is one that is shorter than
 //!    [`SHORT_STRETCH`] if the bodies are as near at its middle as [`GRAZING_DISTANCE`] says.
+//! 6. Where the bodies stay apart, neighbouring stretches that one direction proves are joined (`joined`).
 //!
 //! # Complexity
 //! O(n) for each stretch and each step of a search; a clearance ε takes some 1/√ε stretches at worst, and one or few
