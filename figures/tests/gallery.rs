@@ -1,7 +1,7 @@
 //! The committed drawings are what the code draws, byte for byte. `ZONOTOPE_BLESS=1` writes them anew.
 //!
-//! An ordinary run leaves out the drawings of the counts that take longest; `ZONOTOPE_CASES=long` and `ZONOTOPE_BLESS=1`
-//! draw all.
+//! An ordinary run leaves out the drawings of the counts that take longest; `ZONOTOPE_CASES=long` and
+//! `ZONOTOPE_BLESS=1` draw all.
 
 use experiments::catalog::find as find_experiment;
 use experiments::definition::{Experiment, Profile};

@@ -1,5 +1,5 @@
-//! Answers of the program are not called wrong: questions of every kind about ordinary numbers, about numbers of any size
-//! and near ties are asked, and the answers are given to the verifier.
+//! Answers of the program are not called wrong: questions of every kind about ordinary numbers, about numbers of any
+//! size and near ties are asked, and the answers are given to the verifier.
 //!
 //! An ordinary run asks a few questions of each kind; `ZONOTOPE_CASES=long` asks more, of other sizes as well.
 

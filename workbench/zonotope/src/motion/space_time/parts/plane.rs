@@ -63,7 +63,7 @@ impl Plane {
 #[derive(Debug)]
 pub(in super::super) struct Projection {
     units: [[f64; 3]; 2],
-    /// How much of each coordinate's magnitude the two coordinates in the plane are off together.
+    /// The parts of each coordinate's magnitude by which the two coordinates in the plane are off together.
     weights: [f64; 3],
 }
 
