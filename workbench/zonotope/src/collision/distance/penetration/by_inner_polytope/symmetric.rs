@@ -231,8 +231,8 @@ impl<'b> Polytope<'b> {
     /// The faces that see the point or the opposite one from outside give way to triangles from their common boundary
     /// to it; `false` if none does, and if rounding tears the surface.
     ///
-    /// A surface like a sphere with 2m corners has at most 4m − 4 faces, half of which are kept. Where the faces that see
-    /// the point are scattered, there are more, and their number could double with each corner.
+    /// A surface like a sphere with 2m corners has at most 4m − 4 faces, half of which are kept. Where the faces that
+    /// see the point are scattered, there are more, and their number could double with each corner.
     fn add(&mut self, point: [f64; 3]) -> bool {
         self.open.clear();
         let mut place = 0;
