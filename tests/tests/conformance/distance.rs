@@ -15,7 +15,7 @@ use zonotope::interop::verifier::check_distance;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::{Pose, Zonotope};
 
-/// The questions of a long run for each of the thirteen families, by dimension.
+/// The questions of a long run for each of the fourteen families, by dimension.
 const CASES: [u32; 3] = [100, 200, 300];
 
 /// The poses of a long run in near contact.

@@ -16,7 +16,7 @@ use zonotope::{Location, Status, Zonotope};
 /// placements for each of the eleven families some 11,000 questions in all.
 const SIZES: [(usize, u32); 5] = [(20, 24), (60, 24), (300, 24), (1000, 16), (2000, 8)];
 
-/// The questions of a long run for each of the thirteen families that reach the ends of the doubles.
+/// The questions of a long run for each of the fourteen families that reach the ends of the doubles.
 const CASES: u32 = 200;
 
 /// Bodies of at most so many generators are compared with their levels by all facet normals.

@@ -22,6 +22,7 @@ pub fn families<const D: usize>(most: usize) -> Vec<(&'static str, BoxedStrategy
         ("duplicates_and_zeros", duplicates_and_zeros(most)),
         ("nearly_parallel", nearly_parallel(most)),
         ("one_ulp", one_ulp(most)),
+        ("near_copies", near_copies(most)),
         ("mixed_scales", vectors(any_magnitude, most.min(6))),
         ("huge_and_tiny", huge_and_tiny(most)),
         ("ends_of_the_range", ends_of_the_range(most.min(6))),
@@ -128,6 +129,26 @@ fn one_ulp<const D: usize>(most: usize) -> BoxedStrategy<Generators<D>> {
         .prop_map(|(shape, steps)| {
             let moved = |(g, s): ([f64; D], Vec<i32>)| std::array::from_fn(|k| moved_by_ulps(g[k], s[k]));
             shape.into_iter().zip(steps).map(moved).collect()
+        })
+        .boxed()
+}
+
+/// Lattice generators, copies of them and opposite ones, one coordinate of most copies moved by 2^-52 to 2^-30.
+fn near_copies<const D: usize>(most: usize) -> BoxedStrategy<Generators<D>> {
+    let copies = vec((any::<prop::sample::Index>(), any::<bool>(), 0..D.max(1), -53..=-30i32), 0..=most.div_ceil(2));
+    (vec(vector::<D>(lattice), 1..=most.div_ceil(2).max(1)), copies)
+        .prop_map(|(mut generators, copies)| {
+            for (original, is_opposite, place, exponent) in copies {
+                let mut copy = *original.get(&generators);
+                if is_opposite {
+                    copy = copy.map(|v| -v);
+                }
+                if let (Some(v), true) = (copy.get_mut(place), exponent > -53) {
+                    *v += power_of_two(exponent);
+                }
+                generators.push(copy);
+            }
+            generators
         })
         .boxed()
 }

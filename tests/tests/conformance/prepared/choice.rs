@@ -16,7 +16,7 @@ use zonotope::interop::verifier::check_location;
 /// The bodies of a long run for each of the eleven families and each size; each is asked about eleven placements.
 const BODIES: u32 = 16;
 
-/// The questions of a long run for each of the thirteen families that reach the ends of the doubles.
+/// The questions of a long run for each of the fourteen families that reach the ends of the doubles.
 const CASES: u32 = 300;
 
 /// The structure answers as the truth does, with a proof.

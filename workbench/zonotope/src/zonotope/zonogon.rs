@@ -80,8 +80,8 @@ pub(crate) fn rightward([x, y]: [f64; 2]) -> [f64; 2] {
 /// counted.
 ///
 /// A quotient y/x in doubles never falls where the slope rises, so wherever two quotients differ, their order is the
-/// exact one. Whole numbers are sorted in their place, which a processor does in half the time: the first bits of each
-/// quotient, followed by the place of its vector. The exact turn decides among vectors with the same first bits alone.
+/// exact one. Whole numbers are sorted in their place, as a processor compares them without a branch: the first bits of
+/// each quotient and the place of its vector. The exact turn decides among vectors with the same first bits alone.
 pub(crate) fn sorted_by_angle(vectors: &[[f64; 2]], comparisons: &mut u64) -> Vec<[f64; 2]> {
     let bits = usize::BITS - vectors.len().leading_zeros();
     let places = (1 << bits) - 1;
