@@ -59,7 +59,7 @@ impl Plane {
 }
 
 /// The projection of vectors of doubles onto the plane, in doubles, and a bound of what rounding takes from a sum of
-/// many: one bound for all of them costs three additions a vector, a bound of its own would cost twenty operations.
+/// many: one bound for all of them costs three additions a vector, bounds of their own a product for each coordinate.
 #[derive(Debug)]
 pub(in super::super) struct Projection {
     units: [[f64; 3]; 2],
