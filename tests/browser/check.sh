@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The pages of a finished `reproduce`, as a browser lays them out: how long the report is, how small its texts are,
-# whether they stay in their column, whether its tables are wider than it, and whether its links lead somewhere. The limits are those of the table below.
+# whether they stay in their column, whether its tables are wider than it, and whether its links lead somewhere. The
+# limits are those of the table below.
 #
 #     bash tests/browser/check.sh out/reproduce
 #
