@@ -79,6 +79,19 @@ impl<T: Scalar> Arc<T> {
 }
 
 impl Arc<Dyadic> {
+    /// The stretch in numbers near the exact ones.
+    pub(super) fn near<T: Scalar>(&self) -> Arc<T> {
+        let vector = |v: &[Dyadic; 3]| v.each_ref().map(T::near);
+        Arc {
+            turns: self.turns.each_ref().map(|q| q.each_ref().map(T::near)),
+            base: self.base.each_ref().map(vector),
+            base_size: self.base_size,
+            arm: vector(&self.arm),
+            weight: T::near(&self.weight),
+            is_translation: self.is_translation,
+        }
+    }
+
     /// The halves of the stretch, exactly: no times are halved, between which there may be no double.
     pub(super) fn halves(&self) -> [Self; 2] {
         let mean = |a: &Dyadic, b: &Dyadic| a.plus(b).scaled(-1);

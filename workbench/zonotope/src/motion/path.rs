@@ -288,6 +288,14 @@ impl Motion {
         }
     }
 
+    /// The angle between two times, in quarter turns; 0 for rational motions, each part of which is one stretch.
+    pub(super) fn quarter_turns(&self, [from, to]: [f64; 2]) -> f64 {
+        match &self.0 {
+            Kind::Rational(_) => 0.0,
+            Kind::ConstantRate(motion) => motion.angle().abs() * (to - from) / LARGEST_ANGLE,
+        }
+    }
+
     /// The motion between two times within one stretch, exactly; for constant rate a motion near it.
     pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
         match &self.0 {

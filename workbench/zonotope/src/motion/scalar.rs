@@ -1,7 +1,8 @@
 //! Numbers of which a bound of a gap is made: doubles for guesses, doubles with a bound on their error for decisions,
-//! exact ones where these are in doubt.
+//! exact ones where these are in doubt. Pairs of doubles solve for the coefficients of a contact.
 
 use crate::numeric::bounded::Bounded;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{absolute_sums, bounded_sums};
@@ -20,7 +21,10 @@ pub(super) trait Scalar: Ring {
 
     /// Whether the exact value is greater than 0 beyond doubt.
     fn is_certainly_positive(&self) -> bool;
+}
 
+/// A number in which the reach of a body along a direction is computed.
+pub(super) trait ReachScalar: Scalar {
     /// The largest of some numbers, of which there is at least one.
     fn largest(numbers: impl Iterator<Item = Self>) -> Self;
 
@@ -28,7 +32,7 @@ pub(super) trait Scalar: Ring {
     fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K];
 }
 
-impl Scalar for f64 {
+impl ReachScalar for f64 {
     fn largest(numbers: impl Iterator<Item = Self>) -> Self {
         numbers.fold(f64::NEG_INFINITY, f64::max)
     }
@@ -36,7 +40,9 @@ impl Scalar for f64 {
     fn reaches<const K: usize>(generators: &[[f64; 3]], _: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
         absolute_sums(Rows::new(generators), directions)
     }
+}
 
+impl Scalar for f64 {
     #[inline]
     fn of(value: f64) -> Self {
         value
@@ -57,7 +63,7 @@ impl Scalar for f64 {
     }
 }
 
-impl Scalar for Bounded {
+impl ReachScalar for Bounded {
     /// The largest of the true numbers is at least the largest value less the largest error, and no more than both.
     fn largest(numbers: impl Iterator<Item = Self>) -> Self {
         let first = Self { value: f64::NEG_INFINITY, error: 0.0 };
@@ -71,7 +77,9 @@ impl Scalar for Bounded {
     fn reaches<const K: usize>(generators: &[[f64; 3]], magnitude: f64, directions: &[[Self; 3]; K]) -> [Self; K] {
         bounded_sums(Rows::new(generators), magnitude, directions)
     }
+}
 
+impl Scalar for Bounded {
     #[inline]
     fn of(value: f64) -> Self {
         Self::exact(value)
@@ -94,7 +102,7 @@ impl Scalar for Bounded {
     }
 }
 
-impl Scalar for Dyadic {
+impl ReachScalar for Dyadic {
     fn largest(numbers: impl Iterator<Item = Self>) -> Self {
         let larger = |most: Self, number: Self| if number.minus(&most).sign().is_gt() { number } else { most };
         numbers.reduce(larger).unwrap_or_else(Self::zero)
@@ -106,7 +114,9 @@ impl Scalar for Dyadic {
         };
         directions.each_ref().map(reach)
     }
+}
 
+impl Scalar for Dyadic {
     fn of(value: f64) -> Self {
         Self::from_f64(value)
     }
@@ -121,5 +131,23 @@ impl Scalar for Dyadic {
 
     fn is_certainly_positive(&self) -> bool {
         self.sign().is_gt()
+    }
+}
+
+impl Scalar for BoundedDoubleDouble {
+    fn of(value: f64) -> Self {
+        Self::exact(value)
+    }
+
+    fn near(exact: &Dyadic) -> Self {
+        Self::of(exact)
+    }
+
+    fn magnitude(&self) -> Self {
+        self.abs()
+    }
+
+    fn is_certainly_positive(&self) -> bool {
+        self.sign() == Some(1)
     }
 }

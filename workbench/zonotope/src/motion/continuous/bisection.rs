@@ -42,7 +42,7 @@ pub(super) fn first_contact(
         Err(found) => found,
     };
     let open = |times| Open { times, hints: [start, None], meets: None };
-    let mut stack: Vec<Open> = scene.moving.parts().into_iter().rev().map(open).collect();
+    let mut stack: Vec<Open> = scene.moving.first_stretches().into_iter().rev().map(open).collect();
     for _ in 0..STRETCH_LIMIT {
         let Some(Open { times, hints, meets }) = stack.pop() else { return FirstContact::Separate { free } };
         tally.add(Operation::Stretch, 1);

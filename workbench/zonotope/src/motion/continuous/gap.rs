@@ -22,7 +22,7 @@ use super::parts::rates::Rates;
 use crate::motion::arc::{Arc, displacement};
 use crate::motion::bernstein::{convolution, difference, elevated, multiple, sum};
 use crate::motion::quaternion::{image, transposed_image};
-use crate::motion::scalar::Scalar;
+use crate::motion::scalar::ReachScalar;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::linear::{cross, dot, sum_norm};
 
@@ -54,7 +54,7 @@ pub(super) struct Stretch<'a, T> {
 /// A polynomial of degree 5 that bounds the gap times positive polynomials: its scaled Bernstein coefficients.
 pub(super) type GapBound<T> = [T; 6];
 
-impl<'a, T: Scalar> Stretch<'a, T> {
+impl<'a, T: ReachScalar> Stretch<'a, T> {
     pub(super) fn new(bodies: [Body<'a>; 2], arcs: [Arc<T>; 2], margins: [Margin; 2]) -> Self {
         let squares = arcs.each_ref().map(Arc::square);
         Self {

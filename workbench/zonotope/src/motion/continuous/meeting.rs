@@ -7,6 +7,7 @@ use crate::motion::bernstein::multiple;
 use crate::motion::quaternion::{image, polar_rotation};
 use crate::motion::scalar::Scalar;
 use crate::numeric::bounded::Bounded;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot};
 use crate::zonotope::Zonotope;
@@ -50,19 +51,42 @@ pub(super) fn distance_above(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2],
 }
 
 /// The coefficients with those of the basis as they solve the system, rounded to nearest or beside that.
+///
+/// Pairs of doubles tell what most coefficients are rounded to, and exact numbers take some ten times as long.
 pub(super) fn with_nearest_basis(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], mut witness: Witness) -> Witness {
-    let Some(System { columns: [a, b, c], right, .. }) = system(bodies, arcs, &witness) else { return witness };
+    let solved = solved_in_pairs(bodies, arcs, &witness).or_else(|| solved_exactly(bodies, arcs, &witness));
+    for (&index, coefficient) in witness.basis.iter().zip(solved.unwrap_or_default()) {
+        witness.coefficients[index] = coefficient.clamp(-1.0, 1.0);
+    }
+    witness
+}
+
+/// The coefficients of a basis of three; `None` where pairs of doubles do not tell to which doubles they are rounded.
+fn solved_in_pairs(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], witness: &Witness) -> Option<Vec<f64>> {
+    if witness.basis.len() != 3 {
+        return None;
+    }
+    let arcs = arcs.map(Arc::near::<BoundedDoubleDouble>);
+    let System { columns: [a, b, c], right, .. } = system(bodies, arcs.each_ref(), witness)?;
+    let cross_products = cyclic_cross_products(&a, &b, &c);
+    let determinant = dot(&a, &cross_products[0]);
+    cross_products.iter().map(|row| (dot(row, &right) / determinant).nearest_double()).collect()
+}
+
+/// The coefficients of a basis; `None` where its vectors are dependent.
+fn solved_exactly(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], witness: &Witness) -> Option<Vec<f64>> {
+    let System { columns: [a, b, c], right, .. } = system(bodies, arcs, witness)?;
     let cross_products = cyclic_cross_products(&a, &b, &c);
     let determinant = dot(&a, &cross_products[0]);
     if determinant.is_zero() {
-        return witness;
+        return None;
     }
-    let is_negative = determinant.sign().is_lt();
-    for (row, &index) in cross_products.iter().zip(&witness.basis) {
-        let solved = dot(row, &right).rounded_ratio(&determinant.clone().abs());
-        witness.coefficients[index] = if is_negative { -solved } else { solved }.clamp(-1.0, 1.0);
-    }
-    witness
+    let (is_negative, magnitude) = (determinant.sign().is_lt(), determinant.abs());
+    let solved = |row: &[Dyadic; 3]| {
+        let ratio = dot(row, &right).rounded_ratio(&magnitude);
+        if is_negative { -ratio } else { ratio }
+    };
+    Some(cross_products.iter().take(witness.basis.len()).map(solved).collect())
 }
 
 /// The same coefficients with a basis of three, to which generators are added that have room to either side and lead
@@ -197,5 +221,33 @@ fn filled_up<T: Scalar>(columns: Vec<[T; 3]>) -> [[T; 3]; 3] {
             [a, normal, other]
         }
         _ => axes,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motion;
+    use crate::motion::constant_rate::Clock;
+
+    #[test]
+    fn pairs_of_doubles_solve_for_the_doubles_that_exact_numbers_solve_for() {
+        let cube = Zonotope::new([0.1; 3], vec![[1.0, 0.2, 0.0], [0.0, 1.0, 0.3], [0.1, 0.0, 1.0]]).expect("finite");
+        let other = cube.translated([1.0, 0.7, -0.4]).expect("finite");
+        let turn = Motion::constant_rate([0.3, 0.0, 1.0], [1.0, 2.0, 3.0], 8.0, [0.5, 0.0, 0.1]).expect("an axis");
+        let mut solved = 0;
+        for step in 0..64 {
+            let time = f64::from(step) / 63.0;
+            let arcs = [&turn, &Motion::rest()].map(|motion| motion.exact_arc([time; 2], Clock::Kept));
+            let coefficients = (0..6).map(|i| f64::from((step * 7 + i * 5) % 13) / 6.5 - 1.0).collect();
+            let basis = [[0, 1, 2], [0, 2, 4], [1, 3, 5], [3, 4, 5]][step as usize % 4].to_vec();
+            let witness = Witness { coefficients, basis };
+            let exactly = solved_exactly([&cube, &other], arcs.each_ref(), &witness);
+            if let Some(in_pairs) = solved_in_pairs([&cube, &other], arcs.each_ref(), &witness) {
+                assert_eq!(Some(in_pairs), exactly, "{time}");
+                solved += 1;
+            }
+        }
+        assert!(solved > 60, "{solved}");
     }
 }

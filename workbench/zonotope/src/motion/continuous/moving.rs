@@ -6,6 +6,7 @@ use super::parts::body::{Body, Side};
 use super::parts::margin::{self, Margin};
 use super::simplex_search::{Lowest, Search, search};
 use crate::motion::Motion;
+use crate::motion::arc::Arc;
 use crate::motion::constant_rate::Clock;
 use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::bounded::Bounded;
@@ -16,6 +17,9 @@ use crate::zonotope::pose::Pose;
 
 /// The share of the distance that the gap along a direction has at least, if it is to tell when the bodies meet.
 const NEAR_THE_SHORTEST: f64 = 0.9;
+
+/// The number of shares of a part of the time at whose multiples it is cut.
+const SHARES: f64 = 64.0;
 
 /// Two bodies and their motions.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +49,22 @@ impl<'a> Moving<'a> {
         times.windows(2).map(|pair| [pair[0], pair[1]]).collect()
     }
 
+    /// The stretches that are asked about first: the parts of the motions, each cut evenly where a body turns by more
+    /// than a quarter turn. Halving would cut into more, and look at the bodies at each cut.
+    pub(super) fn first_stretches(&self) -> Vec<[f64; 2]> {
+        self.parts().into_iter().flat_map(|part| self.cut(part)).collect()
+    }
+
+    /// A part of the time, cut at multiples of its share [`SHARES`], which have few digits: exact proofs of them are
+    /// cheap.
+    fn cut(&self, part @ [from, until]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let quarter_turns = self.motions.iter().map(|motion| motion.quarter_turns(part)).fold(1.0, f64::max);
+        let count = (SHARES / (SHARES / quarter_turns).floor().max(1.0)).ceil();
+        let step = (SHARES / count).ceil() as u32;
+        let time = move |share: f64| if share < SHARES { from + (until - from) * (share / SHARES) } else { until };
+        (0..SHARES as u32).step_by(step as usize).map(move |share| [share, share + step].map(|s| time(f64::from(s))))
+    }
+
     /// Whether the motion of each body between two times is one stretch.
     pub(super) fn is_whole(&self, times: [f64; 2]) -> bool {
         self.motions.iter().all(|motion| motion.is_one_stretch(times))
@@ -52,12 +72,19 @@ impl<'a> Moving<'a> {
 
     /// The stretch between two times, in doubles without bounds.
     pub(super) fn rounded_stretch(&self, times: [f64; 2]) -> Stretch<'a, f64> {
-        Stretch::new(self.bodies, self.motions.map(|motion| motion.rounded_arc(times, self.clock)), self.margins(times))
+        let arcs = self.rounded_arcs(times);
+        let margins = self.margins(times, &arcs);
+        Stretch::new(self.bodies, arcs, margins)
     }
 
     /// The same with bounds.
     pub(super) fn stretch(&self, times: [f64; 2]) -> Stretch<'a, Bounded> {
-        Stretch::new(self.bodies, self.motions.map(|motion| motion.arc(times, self.clock)), self.margins(times))
+        let margins = self.margins(times, &self.rounded_arcs(times));
+        Stretch::new(self.bodies, self.motions.map(|motion| motion.arc(times, self.clock)), margins)
+    }
+
+    fn rounded_arcs(&self, times: [f64; 2]) -> [Arc<f64>; 2] {
+        self.motions.map(|motion| motion.rounded_arc(times, self.clock))
     }
 
     /// Whether a direction proves a stretch: in doubles with one bound, where these leave a doubt with a bound for each
@@ -87,7 +114,7 @@ impl<'a> Moving<'a> {
         }
         // a bound that is infinite or NaN says nothing, and neither do numbers beyond the doubles
         let is_refuted = |c: &Bounded| c.sign() == Some(-1) || (c.value, c.error) == (0.0, 0.0);
-        let margins = self.margins(times);
+        let margins = self.margins(times, &self.rounded_arcs(times));
         let are_finite = direction.is_finite()
             && margins.iter().all(Margin::is_finite)
             && margin::along(&margins, direction).is_finite();
@@ -102,7 +129,7 @@ impl<'a> Moving<'a> {
 
     /// For each body bounds of how far it is from its place on the stretch at the same time; none where the clock is
     /// free.
-    fn margins(&self, times: [f64; 2]) -> [Margin; 2] {
+    fn margins(&self, times: [f64; 2], arcs: &[Arc<f64>; 2]) -> [Margin; 2] {
         let angles = self.motions.map(|motion| match motion.angle_off(times) {
             angle if angle.is_finite() && self.clock == Clock::Free => 0.0,
             angle => angle,
@@ -110,7 +137,6 @@ impl<'a> Moving<'a> {
         if angles == [0.0; 2] {
             return [Margin::NONE; 2];
         }
-        let arcs = self.motions.map(|motion| motion.rounded_arc(times, self.clock));
         [[0, 1], [1, 0]].map(|[own, other]| {
             if angles[own] == 0.0 {
                 return Margin::NONE;
@@ -147,5 +173,33 @@ impl<'a> Moving<'a> {
             let point = [0, 1, 2].map(|k| apart[k] - from[k] - to[k]);
             Lowest { point, is_found: dot(u, &point) > 0.0 }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::continuous::scene::Scene;
+    use crate::zonotope::Zonotope;
+
+    fn first_stretches(angle: f64) -> Vec<[f64; 2]> {
+        let body = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0]]).expect("finite");
+        let turning = Motion::constant_rate([0.0; 3], [0.0, 0.0, 1.0], angle, [0.0; 3]).expect("an axis");
+        Scene::new([&body, &body], [&Motion::rest(), &turning]).moving.first_stretches()
+    }
+
+    #[test]
+    fn turns_are_cut_evenly_into_stretches_of_a_quarter_turn_at_most() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let counts = [(0.0, 1), (quarter, 1), (1.5 * quarter, 2), (-4.0 * quarter, 4), (6.5, 5), (8.0, 6), (1e300, 64)];
+        for (angle, count) in counts {
+            let stretches = first_stretches(angle);
+            assert_eq!(stretches.len(), count, "{angle}");
+            assert_eq!([stretches[0][0], stretches[count - 1][1]], [0.0, 1.0], "{angle}");
+            assert!(stretches.windows(2).all(|pair| pair[0][1] == pair[1][0]), "{angle}: {stretches:?}");
+            let is_short = |[from, until]: &[f64; 2]| angle.abs() * (until - from) <= quarter;
+            assert!(angle == 1e300 || stretches.iter().all(is_short), "{angle}: {stretches:?}");
+        }
+        assert_eq!(first_stretches(6.5).concat(), [0, 13, 13, 26, 26, 39, 39, 52, 52, 64].map(|k| f64::from(k) / 64.0));
     }
 }

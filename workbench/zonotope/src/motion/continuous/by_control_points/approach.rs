@@ -1,17 +1,48 @@
 //! A guess of when two bodies meet: where the gap along a direction that separates them at the begin of a stretch
 //! vanishes.
 //!
-//! Along any direction the gap vanishes before the bodies meet, and near the contact a separating direction is mostly
-//! the normal of the faces that will touch: the time that is left shrinks like that of Newton's method.
+//! Along any direction the gap vanishes before the bodies meet. They touch with a vertex and a face or with two edges,
+//! and the normal of these moves with the bodies: along a direction that moves in that way, the time that is left
+//! shrinks like that of Newton's method. A direction that stays in space does not: the face tilts, and its farthest
+//! corner takes its gap away at a rate of its own, so that each guess leaves the same share of the time.
 
-use super::super::gap::GapBound;
+use super::super::SeparatingDirection;
+use super::super::gap::{GapBound, Stretch};
+use super::directions::fixed_in_space;
+use super::edges;
+use crate::motion::quaternion::transposed_image;
+use smallvec::SmallVec;
 
 /// The share of the time until the gap vanishes that is left out: the gap at the end of the stretch must be positive.
 const SHARE_LEFT_OUT: f64 = 1.0 / 256.0;
 
+/// The part of a stretch that is looked at again is so many times as long as the gap takes to vanish.
+const LOOKED_AT: f64 = 16.0;
+
 /// Parts of a stretch in which the gap is looked at for a change of sign, and halvings of that part.
 const PARTS: u32 = 16;
 const HALVINGS: u32 = 20;
+
+/// Directions that are, at the begin of a stretch, a given one or near it, and that move with the bodies or stay.
+pub(super) fn candidates(
+    stretch: &Stretch<'_, f64>,
+    given: &SeparatingDirection,
+) -> SmallVec<[SeparatingDirection; 4]> {
+    let mut candidates = SmallVec::from_iter([*given]);
+    let Some(u) = fixed_in_space(given) else { return candidates };
+    let turns = [0, 1].map(|i| !stretch.arcs[i].is_translation);
+    let turned_back = |i: usize| transposed_image(&stretch.rotations[i][0], &u);
+    if turns[0] {
+        candidates.push(SeparatingDirection::First(turned_back(0)));
+    }
+    if turns[1] {
+        candidates.push(SeparatingDirection::Second(turned_back(1)));
+    }
+    if turns != [false; 2] {
+        candidates.extend(edges::normals(stretch, u).next());
+    }
+    candidates
+}
 
 /// A time strictly inside a stretch to ask about next: a little before the gap vanishes, or where that is near enough,
 /// less than the resolution after the begin. `None` where the gap says nothing.
@@ -27,13 +58,23 @@ pub(super) fn next_time(gap: &GapBound<f64>, [from, until]: [f64; 2], resolution
     (from < time && time < until).then_some(time)
 }
 
-/// The first change of the sign of a polynomial that is positive at 0, in [0, 1].
+/// The first part of a stretch in which a gap vanishes early, for a second look: rotations at constant rate are off
+/// their stretch by the third power of its length, and the gap is less by that.
+pub(super) fn shorter([from, until]: [f64; 2], vanishing: f64) -> Option<[f64; 2]> {
+    let left = vanishing - from;
+    let end = from + LOOKED_AT * left;
+    (from < end && end < until).then_some([from, end])
+}
+
+/// The first change of the sign of a polynomial that is positive at 0, in [0, 1]; 1 where there is none.
 fn first_zero(gap: &[f64; 6]) -> Option<f64> {
     if gap[0].is_nan() || gap[0] <= 0.0 {
         return None;
     }
     let is_positive = |s: f64| value(gap, s) > 0.0;
-    let part = (1..=PARTS).find(|&part| !is_positive(f64::from(part) / f64::from(PARTS)))?;
+    let Some(part) = (1..=PARTS).find(|&part| !is_positive(f64::from(part) / f64::from(PARTS))) else {
+        return Some(1.0);
+    };
     let [mut low, mut high] = [part - 1, part].map(|part| f64::from(part) / f64::from(PARTS));
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;

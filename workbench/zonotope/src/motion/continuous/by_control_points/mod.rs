@@ -12,17 +12,20 @@
 //! of curves by their control polygons, for rotations by quaternions that are linear in time.
 //!
 //! # Method
-//! 1. Take the first stretch that is not decided. Try, in turn: the directions that separate the bodies at its ends,
-//!    and the direction that proved the stretch before it; a direction fixed in space, in the first body, in the second
-//!    body, each searched for over the control zonotopes.
+//! 1. Cut the time where a part of a motion ends, and each part evenly into stretches of at most a quarter turn. Take
+//!    the first stretch that is not decided. Try, in turn: the directions that separate the bodies at its ends, and the
+//!    direction that proved the stretch before it; a direction fixed in space, in the first body, in the second body,
+//!    each searched for over the control zonotopes.
 //! 2. A direction proves the stretch if the six coefficients of the gap are positive: in doubles with one bound for
 //!    all, with a bound for each operation where that leaves a doubt, exactly where these do.
 //! 3. Else look at the bodies as they stand at the middle, by a search in doubles. The normals of the edges that are
 //!    most nearly orthogonal to the direction that separates them there may prove the whole stretch; else its halves
 //!    are stretches of their own.
-//! 4. A stretch at the end of which the bodies seem to meet is looked at next: shortly before the gap along the last
-//!    separating direction vanishes, each third time at the middle. When it is as short as the resolution, coefficients
-//!    must prove the contact for the exact placements; else it is a stretch like others, and so is what follows it.
+//! 4. A stretch at the end of which the bodies seem to meet is looked at next: each third time at the middle, else
+//!    shortly before the gap vanishes along the last separating direction, fixed in space, in either body, or normal to
+//!    an edge of each, whichever keeps a gap for longest (`approach`). When it is as short as the resolution,
+//!    coefficients must prove the contact for the exact placements; else it is a stretch like others, and so is what
+//!    follows it.
 //! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing; so is one that is shorter than
 //!    [`SHORT_STRETCH`] if the bodies are as near at its middle as [`GRAZING_DISTANCE`] says.
 //! 6. Where the bodies stay apart, neighbouring stretches that one direction proves are joined (`joined`).
@@ -61,6 +64,7 @@ mod edges;
 mod joined;
 
 use self::directions::fixed_in_space;
+use super::gap::Stretch;
 use super::scene::{Apart, Scene};
 use super::simplex_search::Search as Looked;
 use super::{FirstContact, FreeStretch, SeparatingDirection, ordinary_sizes};
@@ -136,7 +140,7 @@ struct Search<'a, 't> {
 impl Search<'_, '_> {
     fn first_contact(mut self) -> FirstContact {
         let open = |times| Open { times, hints: [None; 2], meets: false, cuts: 0 };
-        self.open = self.scene.moving.parts().into_iter().rev().map(open).collect();
+        self.open = self.scene.moving.first_stretches().into_iter().rev().map(open).collect();
         for _ in 0..STRETCH_LIMIT {
             let Some(stretch) = self.open.pop() else { return self.separate() };
             self.tally.add(Operation::Stretch, 1);
@@ -219,7 +223,10 @@ impl Search<'_, '_> {
             return Decided::Not;
         }
         let guess = if cuts % 3 < 2 { hints[0].and_then(|hint| self.guess(times, &hint)) } else { None };
-        let middle = guess.unwrap_or(from + width / 2.0);
+        let (middle, hints) = match guess {
+            Some((time, direction)) => (time, [Some(direction), hints[1]]),
+            None => (from + width / 2.0, hints),
+        };
         let cuts = cuts.wrapping_add(1);
         let (before, after) = match self.look(middle, &hints) {
             Look::Meets => (Open { times: [from, middle], hints, meets: true, cuts }, [None; 2]),
@@ -246,14 +253,38 @@ impl Search<'_, '_> {
         }
     }
 
-    /// When the bodies may meet within a stretch, by the gap along a direction that separates them at its begin.
-    fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<f64> {
+    /// The latest time before which one of the candidates keeps a gap, and that candidate: it proves what is before. They
+    /// start from a direction that separates the bodies at the begin of the stretch.
+    fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<(f64, SeparatingDirection)> {
         if !self.scene.moving.is_whole(times) {
             return None;
         }
-        let stretch = self.scene.moving.rounded_stretch(times);
-        self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(hint));
-        approach::next_time(&stretch.gap_along(hint), times, self.resolution)
+        let mut times = times;
+        let mut stretch = self.scene.moving.rounded_stretch(times);
+        let first = self.next_time(&stretch, hint, times)?;
+        if let Some(shorter) = approach::shorter(times, first) {
+            times = shorter;
+            stretch = self.scene.moving.rounded_stretch(times);
+        }
+        let mut best: Option<(f64, SeparatingDirection)> = None;
+        for direction in approach::candidates(&stretch, hint) {
+            let time = self.next_time(&stretch, &direction, times);
+            if let Some(time) = time.filter(|&time| best.is_none_or(|(latest, _)| latest < time)) {
+                best = Some((time, direction));
+            }
+        }
+        best
+    }
+
+    /// A time before the gap along a direction vanishes.
+    fn next_time(
+        &mut self,
+        stretch: &Stretch<'_, f64>,
+        direction: &SeparatingDirection,
+        times: [f64; 2],
+    ) -> Option<f64> {
+        self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(direction));
+        approach::next_time(&stretch.gap_along(direction), times, self.resolution)
     }
 
     /// Whether the bodies, as they are rounded at a time, are so near that finer stretches would tell little.

@@ -1,6 +1,6 @@
 //! A body with the sum that bounds the rounding of passes over its generators.
 
-use crate::motion::scalar::Scalar;
+use crate::motion::scalar::ReachScalar;
 use crate::numeric::lanes::extreme_sums;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, sum_norm};
@@ -66,7 +66,7 @@ impl<'a> Body<'a> {
     }
 
     /// The reach of the body from its centre on one side, for each direction: Σ |u · g|, and the largest u · p.
-    pub(in crate::motion::continuous) fn reaches<T: Scalar, const K: usize>(
+    pub(in crate::motion::continuous) fn reaches<T: ReachScalar, const K: usize>(
         &self,
         side: Side,
         directions: &[[T; 3]; K],

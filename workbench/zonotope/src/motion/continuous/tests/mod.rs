@@ -1,10 +1,12 @@
 //! First contacts against dense sampling, and their proofs against exact gaps at rational times.
 
 use super::brute_force::{Placement, gap};
+use super::by_control_points::{DEFAULT_RESOLUTION, first_contact_counted};
 use super::{FirstContact, FreeStretch, SeparatingDirection, first_contact};
 use crate::motion::{Motion, MotionPiece};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::tally::{Operation, OperationCounts};
 use crate::zonotope::Zonotope;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -125,6 +127,28 @@ fn a_link_that_passes_a_box_is_proved_by_few_directions() {
     assert!(time[0] > 0.25 && time[1] < 0.5);
     let directions = found.free().iter().map(|stretch| &stretch.direction);
     assert!(directions.clone().count() < 100 && directions.clone().any(|d| matches!(d, SeparatingDirection::Space(_))));
+}
+
+/// A guess along directions that stay in space leaves the same share of the time each time; it took 44 stretches.
+#[test]
+fn contacts_of_spinning_bodies_take_few_stretches() {
+    let mut rng = Pcg64::seed_from_u64(8);
+    let (mut contacts, mut stretches) = (0, 0);
+    for _ in 0..400 {
+        let [a, b] = [0.0, 3.0].map(|x| random_body(&mut rng, 3, 0.8).translated([x, 0.0, 0.0]).expect("finite"));
+        let motions = [2.0, -1.0].map(|travel| {
+            let axis = [0, 1, 2].map(|_| rng.random_range(-1.0..1.0));
+            Motion::constant_rate(axis, axis, rng.random_range(-8.0..8.0), [travel, 0.0, 0.0]).expect("an axis")
+        });
+        let mut counts = OperationCounts::default();
+        let found = first_contact_counted([&a, &b], motions.each_ref(), DEFAULT_RESOLUTION, &mut counts);
+        if found.name() == "contact" && !found.free().is_empty() {
+            contacts += 1;
+            stretches += counts.get(Operation::Stretch);
+        }
+    }
+    assert!(contacts > 40, "{contacts}");
+    assert!(stretches <= 26 * contacts, "{stretches} of {contacts} contacts");
 }
 
 #[test]
