@@ -223,15 +223,12 @@ impl Search<'_, '_> {
             return Decided::Not;
         }
         let guess = if cuts % 3 < 2 { hints[0].and_then(|hint| self.guess(times, &hint)) } else { None };
-        let (middle, hints) = match guess {
-            Some((time, direction)) => (time, [Some(direction), hints[1]]),
-            None => (from + width / 2.0, hints),
-        };
+        let middle = guess.map_or(from + width / 2.0, |(time, _)| time);
         let cuts = cuts.wrapping_add(1);
         let (before, after) = match self.look(middle, &hints) {
             Look::Meets => (Open { times: [from, middle], hints, meets: true, cuts }, [None; 2]),
             Look::Apart(found) => {
-                let hints = [hints[0], found];
+                let hints = [guess.map(|(_, direction)| direction).or(hints[0]), found];
                 (Open { times: [from, middle], hints, meets: false, cuts: 0 }, [found, None])
             }
         };
@@ -253,8 +250,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The latest time before which one of the candidates keeps a gap, and that candidate: it proves what is before. They
-    /// start from a direction that separates the bodies at the begin of the stretch.
+    /// The latest time before which a candidate keeps a gap, and the candidate, which may prove what is before. All of
+    /// them start from a direction that separates the bodies at the begin of the stretch.
     fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<(f64, SeparatingDirection)> {
         if !self.scene.moving.is_whole(times) {
             return None;
