@@ -52,7 +52,7 @@ pub(super) fn distance_above(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2],
 
 /// The coefficients with those of the basis as they solve the system, rounded to nearest or beside that.
 ///
-/// Pairs of doubles tell what most coefficients are rounded to, and exact numbers take some ten times as long.
+/// Pairs of doubles tell what most coefficients are rounded to, with less work than exact numbers.
 pub(super) fn with_nearest_basis(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], mut witness: Witness) -> Witness {
     let solved = solved_in_pairs(bodies, arcs, &witness).or_else(|| solved_exactly(bodies, arcs, &witness));
     for (&index, coefficient) in witness.basis.iter().zip(solved.unwrap_or_default()) {

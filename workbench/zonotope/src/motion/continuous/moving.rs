@@ -55,8 +55,8 @@ impl<'a> Moving<'a> {
         self.parts().into_iter().flat_map(|part| self.cut(part)).collect()
     }
 
-    /// A part of the time, cut at multiples of its share [`SHARES`], which have few digits: exact proofs of them are
-    /// cheap.
+    /// The pieces of a part of the time, cut at multiples of one of its [`SHARES`] shares: such times have few digits,
+    /// so that exact proofs about them are cheap.
     fn cut(&self, part @ [from, until]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
         let quarter_turns = self.motions.iter().map(|motion| motion.quarter_turns(part)).fold(1.0, f64::max);
         let count = (SHARES / (SHARES / quarter_turns).floor().max(1.0)).ceil();
