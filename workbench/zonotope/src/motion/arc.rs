@@ -1,4 +1,4 @@
-//! A stretch of a motion: placements x ↦ P(s) + R(q(s)) (x + w), P and q linear in s on [0, 1].
+//! An arc, a motion between two times: placements x ↦ P(s) + R(q(s)) (x + w), P and q linear in s on [0, 1].
 
 use super::bernstein;
 use super::quaternion::{Quaternion, composition, conjugate, image, polar_rotation, sum, transposed_image};
@@ -7,7 +7,7 @@ use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::{Ring, dot};
 
-/// A stretch of a motion over the numbers T. P and w are given times a positive number, the weight.
+/// A motion between two times, over the numbers T. P and w are given times a positive number, the weight.
 #[derive(Debug, Clone)]
 pub(super) struct Arc<T> {
     /// q at both ends, of any length.
@@ -21,7 +21,7 @@ pub(super) struct Arc<T> {
     pub(super) arm: [T; 3],
     /// The weight.
     pub(super) weight: T,
-    /// Whether both quaternions are the same: the stretch translates alone.
+    /// Whether both quaternions are the same: the arc translates alone.
     pub(super) is_translation: bool,
 }
 
@@ -79,7 +79,7 @@ impl<T: Scalar> Arc<T> {
 }
 
 impl Arc<Dyadic> {
-    /// The stretch in numbers near the exact ones.
+    /// The arc in numbers near the exact ones.
     pub(super) fn near<T: Scalar>(&self) -> Arc<T> {
         let vector = |v: &[Dyadic; 3]| v.each_ref().map(T::near);
         Arc {
@@ -92,7 +92,7 @@ impl Arc<Dyadic> {
         }
     }
 
-    /// The halves of the stretch, exactly: no times are halved, between which there may be no double.
+    /// The halves of the arc, exactly: no times are halved, between which there may be no double.
     pub(super) fn halves(&self) -> [Self; 2] {
         let mean = |a: &Dyadic, b: &Dyadic| a.plus(b).scaled(-1);
         let ([p, q], [from, to]) = (&self.turns, &self.base);
@@ -104,7 +104,7 @@ impl Arc<Dyadic> {
 }
 
 impl Arc<Bounded> {
-    /// The stretch in doubles, without its bounds.
+    /// The arc in doubles, without its bounds.
     pub(super) fn rounded(&self) -> Arc<f64> {
         let vector = |v: &[Bounded; 3]| v.map(|c| c.value);
         Arc {
@@ -119,13 +119,13 @@ impl Arc<Bounded> {
 }
 
 impl Arc<f64> {
-    /// A direction of space as the body sees it at the middle of the stretch, of any length.
+    /// A direction of space as the body sees it at the middle of the arc, of any length.
     pub(super) fn turned_back(&self, u: &[f64; 3]) -> [f64; 3] {
         let middle = sum(&self.turns[0], &self.turns[1]);
         transposed_image(&polar_rotation(&middle, &middle), u)
     }
 
-    /// The place of a point of the body at the middle of the stretch.
+    /// The place of a point of the body at the middle of the arc.
     pub(super) fn middle_of(&self, x: &[f64; 3]) -> [f64; 3] {
         let middle = sum(&self.turns[0], &self.turns[1]);
         let (turned, square) = (image(&polar_rotation(&middle, &middle), &self.arm_of(x)), dot(&middle, &middle));

@@ -1,13 +1,15 @@
-//! A rotation at constant rate, which rational placements are near: on a stretch the quaternion goes linearly between
-//! two rational ones, and a bound says how far the angle is off.
+//! A rotation at constant rate, which rational placements are near: on an arc the quaternion goes linearly between two
+//! rational ones, and a bound says how far the angle is off.
 //!
-//! A stretch of which the placements alone count, and not the time of each, is exact: about one axis it turns
-//! through every angle between its ends, and ends that are moved outwards by more than their rounding contain those of
-//! the motion. So it is where nothing but this rotation moves.
+//! Where this rotation is all that moves, the placements alone count, and not the time of each. Those of an arc are
+//! then exact: about one axis it turns through every angle between its ends, and ends that are moved outwards by more
+//! than their rounding contain those of the motion.
 //!
-//! Let θ be the angle of a stretch and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
-//! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, so that the difference
-//! is at most its first term, t³/3 · |x − x³| ≤ 2 t³ / (9 √3).
+//! Let θ be the angle of an arc and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
+//! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, as each term is at
+//! most 1.2 t² times the one before it, so that the difference is at most its first term,
+//! t³/3 · |x − x³| ≤ 2 t³ / (9 √3). Both quaternions have one length there; rounded ones are of lengths that differ by
+//! 2^-51, which the roundings that are added to the angle cover.
 
 use super::arc::Arc;
 use super::scalar::Scalar;
@@ -19,19 +21,19 @@ use crate::numeric::linear::{cross, euclidean_norm, norm_of_any_size, sum_norm};
 use crate::numeric::tolerance::{ANGLE_ROUNDING, ANGLE_ROUNDING_OF_A_TURN, CHORD_OF_A_LINEAR_QUATERNION, UNIT};
 use crate::zonotope::Zonotope;
 
-/// The largest angle of a stretch: a quarter turn. tan(θ/4) is 0.415 there.
+/// The largest angle of an arc: a quarter turn. tan(θ/4) is 0.415 there.
 pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
 /// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
 const LARGEST_QUARTER: f64 = 0.7;
 
-/// Whether a stretch must have each placement at its time. A question about two bodies in motion asks for `Free` where
+/// Whether an arc must have each placement at its time. A question about two bodies in motion asks for `Free` where
 /// one of them only turns and the other rests, every question about one time for `Kept`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Clock {
     /// Each placement is that of the motion at the same time, but for a bound.
     Kept,
-    /// The placements of the motion are among those of the stretch, each at any time.
+    /// The placements of the motion are among those of the arc, each at any time.
     Free,
 }
 
@@ -101,12 +103,12 @@ impl ConstantRate {
         self.translation == [0.0; 3]
     }
 
-    /// The stretch between two times, exactly; its quaternions are near those of the motion.
+    /// The arc between two times, exactly; its quaternions are near those of the motion.
     pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
         self.between(times, clock, &self.axis)
     }
 
-    /// The same stretch in doubles.
+    /// The same arc in doubles.
     pub(super) fn arc(&self, times: [f64; 2], clock: Clock) -> Arc<Bounded> {
         self.between(times, clock, &self.bounded_axis)
     }
@@ -116,7 +118,7 @@ impl ConstantRate {
         self.between(times, clock, &self.bounded_axis.map(|c| c.value))
     }
 
-    /// A bound of the angle between a placement of the motion and that of the stretch at the same time.
+    /// A bound of the angle between a placement of the motion and that of the arc at the same time.
     pub(super) fn angle_off(&self, [from, to]: [f64; 2]) -> f64 {
         if self.angle == 0.0 {
             return 0.0;
@@ -142,12 +144,12 @@ impl ConstantRate {
         (reach + terms * 4.0 * (UNIT * size + f64::from_bits(1))).next_up()
     }
 
-    /// A bound of the angle by which an end of a stretch is off.
+    /// A bound of the angle by which an end of an arc is off.
     fn rounding(&self) -> f64 {
         ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs()
     }
 
-    /// The stretch between two times that go up: with [`Clock::Free`] the first end is moved back and the last one on.
+    /// The arc between two times that go up: with [`Clock::Free`] the first end is moved back and the last one on.
     fn between<T: Scalar>(&self, times: [f64; 2], clock: Clock, axis: &[T; 3]) -> Arc<T> {
         let outwards = match clock {
             // `half` is half an angle, so that the angle moves by twice the bound of its rounding

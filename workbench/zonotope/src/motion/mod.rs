@@ -2,7 +2,7 @@
 //!
 //! A [`Motion`] is a placement for each time from 0 to 1. Its rational form, in which quaternions go linearly from one
 //! to another, has a matrix of rationals at every rational time: no sine and no root is taken, and every decision is
-//! exact. A rotation at constant rate is enclosed by such stretches, with a bound of the angle by which they are off.
+//! exact. A rotation at constant rate is enclosed by such arcs, with a bound of the angle by which they are off.
 //!
 //! | module | problem | in the paper |
 //! |---|---|---|
@@ -14,24 +14,27 @@
 //! | `sweep` | an axis, an angle and a translation on any schedule |
 //! | `path` | motions and how they are made |
 //! | `piece` | a part of a rational motion, after those before it |
-//! | `constant_rate` | a rotation at constant rate and the bound of the angle by which its stretches are off |
-//! | `arc` | a stretch of a motion between two times: what all questions are asked about |
+//! | `constant_rate` | a rotation at constant rate and the bound of the angle by which its arcs are off |
+//! | `arc` | a motion between two times: what all questions are asked about |
 //! | `quaternion`, `bernstein`, `scalar` | quaternions, polynomials and the numbers that they are made of |
 //!
 //! The files are read in this order: `scalar`, `bernstein`, `quaternion`, `arc`, `piece`, `sweep`, `constant_rate`,
-//! `path`. Everything else asks a motion for arcs alone, in three kinds of numbers: exact ones (`exact_arc`), doubles
-//! with bounds (`arc`) and doubles for guesses (`rounded_arc`).
+//! `path`. Everything else asks a motion for arcs, in three kinds of numbers: exact ones (`exact_arc`), doubles with
+//! bounds (`arc`) and doubles for guesses (`rounded_arc`); for how far an arc is off the motion (`angle_off`, `reach`,
+//! `unit_axis`); and for where time is to be cut (`breaks`, `quarter_turns`, `is_one_stretch`).
 //!
-//! A *part* is what a caller states, a *piece* is that part as the library keeps it, an *arc* is the motion between two
-//! times of one piece, and a *stretch* is a span of time with the arcs of both bodies.
+//! A *part* is what a caller states, a *piece* is that part as the library keeps it, an *arc* is the motion of one body
+//! between two times of one piece, and a *stretch* is a span of time with the arcs of both bodies.
 //!
 //! # A new kind of motion
 //! A motion whose quaternion goes linearly in the time between rational ones is a constructor in `path` that makes
 //! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other
-//! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational stretches near
-//! it, `angle_off` and `reach` bound how far they are off, and `as_sweep` gives a sweep around it. What a question
-//! states is read in the crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier
-//! (`motion/path`).
+//! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational and near it, and
+//! `as_sweep` gives a sweep around it. `angle_off` and `reach` bound how far its arcs are off by an angle about one
+//! axis, which is all that `continuous/parts/margin` subtracts: a motion whose base is off, too, as one that is thrown,
+//! needs a bound of its own there and a volume that holds more than its sweep. What a question states is read in the
+//! crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier (`motion/path`), whose
+//! `Motion` gets the same variant.
 
 mod arc;
 mod bernstein;

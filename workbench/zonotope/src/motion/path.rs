@@ -70,7 +70,7 @@ pub enum MotionError {
     #[error("the axis of the rotation is zero and has no direction")]
     ZeroAxis,
     /// A quaternion is zero.
-    #[error("a quaternion of part {part} of the motion is zero")]
+    #[error("a quaternion of part or pose {part} of the motion is zero")]
     ZeroQuaternion {
         /// The index of the part, or of the pose.
         part: usize,
@@ -88,7 +88,8 @@ pub enum MotionError {
     /// The times of the parts do not go up from 0 to 1.
     #[error("part {part} of the motion ends at {until}: the times must go up, from above 0 to 1")]
     Times {
-        /// The index of the part, or how many there are, if the last one does not end at 1.
+        /// The index of the part, between two poses that of the first of them, or how many there are, if the last one
+        /// does not end at 1.
         part: usize,
         /// The time at which it ends, or the last one.
         until: f64,
@@ -167,7 +168,8 @@ impl Motion {
     }
 
     /// The rational motion through poses, the first at the time 0 and the last at 1: between two of them the
-    /// quaternion goes linearly along the shorter arc, and so does the translation.
+    /// quaternion goes linearly along the shorter arc, of two that are half a turn the one to the quaternion as it is
+    /// given, and the translation goes linearly, too.
     ///
     /// # Errors
     /// [`MotionError`] names the first pose with a number that is not finite, a quaternion of length 0, or a time that
@@ -203,8 +205,11 @@ impl Motion {
     }
 
     /// The placement at a time from 0 to 1, rounded: a matrix that is a rotation but for rounding, and a translation.
-    /// `None` where a coordinate leaves the range of doubles.
+    /// `None` at another time, and where a coordinate leaves the range of doubles.
     pub fn pose_at(&self, time: f64) -> Option<Pose> {
+        if !(0.0..=1.0).contains(&time) {
+            return None;
+        }
         let arc = self.rounded_arc([time, time], Clock::Kept);
         let turn = match &arc.turns[0] {
             turn if MODERATE_SIZES.contains(&dot(turn, turn)) => *turn,
@@ -271,7 +276,7 @@ impl Motion {
         }
     }
 
-    /// The times strictly between two others at which a stretch must end: those at which a part of the motion ends.
+    /// The times strictly between two others at which an arc must end: those at which a part of the motion ends.
     pub(super) fn breaks(&self) -> impl Iterator<Item = f64> + '_ {
         let pieces: &[Piece] = match &self.0 {
             Kind::Rational(pieces) => pieces,
@@ -280,7 +285,7 @@ impl Motion {
         pieces.iter().skip(1).map(|piece| piece.from)
     }
 
-    /// Whether the motion between two times is one stretch: of a rotation at constant rate, at most a quarter turn.
+    /// Whether the motion between two times is one arc: of a rotation at constant rate, at most a quarter turn.
     pub(super) fn is_one_stretch(&self, [from, to]: [f64; 2]) -> bool {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, [from, to]).until >= to,
@@ -288,7 +293,7 @@ impl Motion {
         }
     }
 
-    /// The angle between two times, in quarter turns; 0 for rational motions, each part of which is one stretch.
+    /// The angle between two times, in quarter turns; 0 for rational motions, each part of which is one arc.
     pub(super) fn quarter_turns(&self, [from, to]: [f64; 2]) -> f64 {
         match &self.0 {
             Kind::Rational(_) => 0.0,
@@ -296,7 +301,7 @@ impl Motion {
         }
     }
 
-    /// The motion between two times within one stretch, exactly; for constant rate a motion near it.
+    /// The motion between two times within one arc, exactly; for constant rate a motion near it.
     pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).exact_arc(times),
@@ -320,7 +325,7 @@ impl Motion {
         }
     }
 
-    /// A bound of the angle between the motion and its stretch, at any time of the stretch; 0 for rational motions.
+    /// A bound of the angle between the motion and its arc, at any time of the arc; 0 for rational motions.
     pub(super) fn angle_off(&self, times: [f64; 2]) -> f64 {
         match &self.0 {
             Kind::Rational(_) => 0.0,
@@ -345,7 +350,7 @@ impl Motion {
         }
     }
 
-    /// The piece on which a stretch begins: of two that meet there the later one, at the time 1 the last one.
+    /// The piece on which an arc begins: of two that meet there the later one, at the time 1 the last one.
     fn piece_at<'a>(&self, pieces: &'a [Piece], [from, _]: [f64; 2]) -> &'a Piece {
         let next = pieces.partition_point(|piece| piece.from <= from).max(1);
         &pieces[next - 1]
@@ -383,11 +388,36 @@ mod tests {
         };
         let one = [1.0, 0.0, 0.0, 0.0];
         assert_eq!(refusal(&[(0.3, one), (1.0, one)]), "the first pose is at the time 0.3 and must be at 0");
-        assert_eq!(refusal(&[(0.0, one), (1.0, [0.0; 4])]), "a quaternion of part 1 of the motion is zero");
+        assert_eq!(refusal(&[(0.0, one), (1.0, [0.0; 4])]), "a quaternion of part or pose 1 of the motion is zero");
         let times = "part 0 of the motion ends at 0: the times must go up, from above 0 to 1";
         assert_eq!(refusal(&[(0.0, one), (0.0, one)]), times);
         assert_eq!(refusal(&[]), times);
         let turn = Motion::constant_rate([0.0; 3], [0.0, -0.0, 0.0], 1.0, [0.0; 3]).expect_err("no axis");
         assert_eq!(turn, MotionError::ZeroAxis);
+    }
+
+    #[test]
+    fn placements_far_out_are_told_and_there_are_none_outside_of_the_time() {
+        let key = |time, x| KeyPose { time, quaternion: [1.0, 0.0, 0.0, 0.0], translation: [x, 0.0, 0.0] };
+        let motion = Motion::through(&[key(0.0, 1e308), key(1.0, -1e308)]).expect("a motion");
+        let x = |motion: &Motion, time| motion.pose_at(time).map(|pose| pose.translation()[0]);
+        assert_eq!([0.0, 0.5, 1.0].map(|time| x(&motion, time)), [Some(1e308), Some(0.0), Some(-1e308)]);
+        assert_eq!([-0.5, 1.5, f64::NAN].map(|time| x(&motion, time)), [None; 3]);
+        // a part after a translation that is long and turns
+        let part = |until, to, x| MotionPiece {
+            until,
+            from: [1.0, 0.0, 0.0, 0.0],
+            to,
+            axis_point: [0.0; 3],
+            translation: [x, 0.0, 0.0],
+        };
+        let rest = [1.0, 0.0, 0.0, 0.0];
+        let short = 0.5 + 2f64.powi(-31);
+        let parts = [part(0.5, [1.0, 0.3, 0.2, 0.1], 1.7e308), part(short, rest, 0.0), part(1.0, rest, 0.0)];
+        let motion = Motion::from_pieces(&parts).expect("a motion");
+        for time in [0.5 + 2f64.powi(-32), short, 0.75] {
+            let x = x(&motion, time).expect("it is a placement");
+            assert!((x / 1.7e308 - 1.0).abs() < 1e-14, "{time}: {x}");
+        }
     }
 }

@@ -15,6 +15,9 @@ const SHORT_TIME: i32 = -32;
 /// The largest exponent of a power of two by which times are multiplied: the smallest double becomes 2^-74.
 const LARGEST_EXPONENT: i32 = 1000;
 
+/// The binary exponent of lengths times their weight is at most this: sums and products with them stay in range.
+const LARGEST_LENGTH: i64 = 900;
+
 /// The placements x ↦ P(s) + R(q(s)) (x + w) for times between two: s is linear in the time, P(s) = base + s travel.
 /// The base and w are given times the weight, a positive number.
 #[derive(Debug, Clone)]
@@ -113,6 +116,7 @@ impl Piece {
 
     fn of([from, until]: [f64; 2], mut course: Course<Dyadic>) -> Self {
         scale_down(course.turns.as_flattened_mut());
+        course.scale_weight();
         let is_translation = course.turns[0] == course.turns[1];
         let rounded: Course<f64> = course.near();
         let base_size = sum_norm(&rounded.base) + sum_norm(&rounded.travel);
@@ -142,7 +146,7 @@ impl Piece {
         self.is_translation && self.exact.travel.iter().all(Dyadic::is_zero)
     }
 
-    /// The stretch of the piece between two of its times, exactly.
+    /// The arc of the piece between two of its times, exactly.
     pub(super) fn exact_arc(&self, times: [f64; 2]) -> Arc<Dyadic> {
         self.between(&self.exact, times)
     }
@@ -157,7 +161,7 @@ impl Piece {
         self.between(&self.bounded, times)
     }
 
-    /// The stretch between two times of the piece. Nothing is divided: with L the length of the piece's time,
+    /// The arc between two times of the piece. Nothing is divided: with L the length of the piece's time,
     /// s = (t − start) / L, and so the quaternions, the base and w are given times L, and the weight is L times the
     /// course's own. Of a short piece, L is multiplied by a power of two, so that products of what is times L do not
     /// vanish in doubles.
@@ -189,6 +193,20 @@ impl Piece {
 }
 
 impl Course<Dyadic> {
+    /// Scales all lengths and their weight by one power of two: the weight is between 1 and 2, or smaller where a
+    /// length would leave the range of doubles. A weight that is denormal would lose the digits of every length.
+    fn scale_weight(&mut self) {
+        let lengths = || [&self.base, &self.travel, &self.arm].into_iter().flatten();
+        let largest = lengths().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+        let weight = self.weight.binary_exponent().unwrap_or(0);
+        let exponent = (-weight).min(LARGEST_LENGTH - largest);
+        if exponent != 0 {
+            let Self { base, travel, arm, weight, .. } = self;
+            let numbers = [base, travel, arm].into_iter().flatten().chain([weight]);
+            numbers.for_each(|c| *c = c.clone().scaled(exponent));
+        }
+    }
+
     /// The course in doubles, with or without bounds.
     fn near<T: Scalar>(&self) -> Course<T> {
         let vector = |v: &ExactVector| v.each_ref().map(T::near);

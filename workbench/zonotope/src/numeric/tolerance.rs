@@ -275,12 +275,16 @@ pub(crate) const CHORD_OF_A_LINEAR_QUATERNION: f64 = 0.25661;
 /// translation goes through as many roundings.
 pub(crate) const POSE_ROUNDING: f64 = 256.0 * UNIT;
 
+/// Error of the vector part of a product of two quaternions, which is as long as the sine of half the angle between
+/// them, beside the product of their lengths: four products with two roundings each, and three sums, in each of three
+/// coordinates; 16 u, and as much again for the rounding of the bound.
+pub(crate) const SINE_OF_QUATERNIONS: f64 = 32.0 * UNIT;
+
 /// Factor by which bounds of the rates and reaches of moving bodies are multiplied, and a share of their sizes that is
 /// added: 1 + 2^-30.
 ///
 /// A reach is a sum of rounded lengths: of n < 2^20 terms it is off by less than 2^-32 of itself, of a cross product by
-/// 8 u of the size. Rates go through fewer than fifty roundings; where quaternions nearly agree, the sine of the angle
-/// between them is off by 16 u of 1, and the motion within it by as much of the size.
+/// 8 u of the size. Rates go through fewer than fifty roundings beside that of the sine, [`SINE_OF_QUATERNIONS`].
 pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
 
 /// Error of each coefficient of a gap between moving bodies in doubles, beside the sizes of its factors: 2^15 units.

@@ -52,7 +52,8 @@ pub(super) fn first_contact(
             Some(witness) if width <= resolution => return FirstContact::Contact { free, time: times, witness },
             Some(_) => {}
             None if scene.moving.is_whole(times) => {
-                let known: Vec<[f64; 3]> = hints.iter().rev().flatten().filter_map(fixed_in_space).collect();
+                let known: Vec<[f64; 3]> =
+                    hints.iter().rev().flatten().filter_map(SeparatingDirection::fixed_in_space).collect();
                 if let Some(u) = bound.proof(scene, &scene.moving.stretch(times), times, &known, tally) {
                     free.push(FreeStretch { from, until, direction: SeparatingDirection::Space(u) });
                     continue;
@@ -85,12 +86,5 @@ pub(super) fn first_contact(
             FirstContact::Grazing { free, time: times, distance_at_most }
         }
         None => FirstContact::Separate { free },
-    }
-}
-
-fn fixed_in_space(direction: &SeparatingDirection) -> Option<[f64; 3]> {
-    match direction {
-        SeparatingDirection::Space(u) => Some(*u),
-        _ => None,
     }
 }

@@ -8,7 +8,7 @@
 //!
 //! | direction | magnitudes, in T_a T_b L times the sum of the magnitudes of its coordinates | of which |
 //! |---|---|---|
-//! | in space | 20 | rotations 2 T, 4 T, 2 T; a product with (1, 2, 1) T and the next degree |
+//! | in space | 20 | rotations 2, 4, 2 T, times 1, 2, 1 T: 2, 8, 12, 8, 2, and 20 at most of the next degree |
 //! | in a body | 20 | the rotation of one as the other sees it: 2, 8, 12, 8, 2 T_a T_b |
 //! | normal of edges | 80 | two products of (2, 4, 2) T, and the bases |
 //!

@@ -4,7 +4,7 @@
 //! Let |q_a|² and |q_b|² be the squares of both quaternions, positive polynomials. Times their product the gap
 //! u · (c_b − c_a) − Σ |u · g| is a polynomial where generators keep their sign; where one changes its sign,
 //! |Σ B_i x_i| ≤ Σ B_i |x_i| over the Bernstein polynomials B_i bounds it. So scaled Bernstein coefficients of degree 5
-//! that are all positive prove that the bodies are disjoint during the whole stretch.
+//! that are all positive, or those of its halves, prove that the bodies are disjoint during the whole stretch.
 //!
 //! | direction | at the time s | reaches of the first and the second body |
 //! |---|---|---|
@@ -95,7 +95,7 @@ impl<'a, T: ReachScalar> Stretch<'a, T> {
         match direction {
             SeparatingDirection::Space(u) => self.gap_in_space(&vector(u), margin),
             SeparatingDirection::First(u) => self.gap_in_frame(0, &vector(u), margin),
-            // u in the second body's frame is −u in that of the first body of the same question asked the other way
+            // the gap from the first body to the second along u is that from the second to the first along −u
             SeparatingDirection::Second(u) => self.gap_in_frame(1, &vector(&u.map(|c| -c)), margin),
             SeparatingDirection::Edges([e, f]) => self.gap_of_edges(&vector(e), &vector(f), margin),
         }

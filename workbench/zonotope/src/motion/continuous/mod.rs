@@ -14,7 +14,8 @@
 //! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
 //! | [`rivals`] | what is done elsewhere and proves nothing |
 //!
-//! [`Method`] names those that prove their answers. Of a scene they may find different stretches, and the same case.
+//! [`Method`] names those that prove their answers. Of a scene they may find different stretches, and
+//! each may leave it grazing; never does one prove a contact and another that the bodies are separate.
 //!
 //! The paper (Section 6) encloses the volumes that both bodies sweep, and halves the step where these meet. Volumes of
 //! space forget the time; a direction for a stretch of time is a separating hyperplane of space-time.
@@ -76,7 +77,8 @@ pub enum FirstContact {
     },
 }
 
-/// A stretch of time in which two bodies are disjoint, with the proof.
+/// A stretch of time in which two bodies are disjoint, with the proof. Where a motion jumps at its end, the placements
+/// before the jump are meant; those after it are at the begin of the next stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeStretch {
     /// When it begins.
@@ -101,6 +103,14 @@ pub enum SeparatingDirection {
 }
 
 impl SeparatingDirection {
+    /// The direction, if it is fixed in space.
+    fn fixed_in_space(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Space(u) => Some(*u),
+            _ => None,
+        }
+    }
+
     /// Whether all its coordinates are finite.
     fn is_finite(&self) -> bool {
         match self {

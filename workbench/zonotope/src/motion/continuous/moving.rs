@@ -60,6 +60,7 @@ impl<'a> Moving<'a> {
     fn cut(&self, part @ [from, until]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
         let quarter_turns = self.motions.iter().map(|motion| motion.quarter_turns(part)).fold(1.0, f64::max);
         let count = (SHARES / (SHARES / quarter_turns).floor().max(1.0)).ceil();
+        // no longer than a quarter turn: a quarter turn is at least as many whole shares as 64 over the count
         let step = (SHARES / count).ceil() as u32;
         let time = move |share: f64| if share < SHARES { from + (until - from) * (share / SHARES) } else { until };
         (0..SHARES as u32).step_by(step as usize).map(move |share| [share, share + step].map(|s| time(f64::from(s))))

@@ -13,9 +13,10 @@
 //! beside a segment. The displacement of x from the middle placement is linear in x at each of them, and largest along
 //! a coordinate axis at a vertex of the body.
 //!
-//! The stretch of each part of the motion is halved twice, exactly. Its quaternions p and q have no negative product,
+//! The arc of each part of the motion is halved twice, exactly. Its quaternions p and q have no negative product,
 //! so that the product of those at s and s′ is at least (1 − s)(1 − s′) |p|² + s s′ |q|². That is 0 for s = 0 and
-//! s′ = 1 alone, so all d_i of a quarter are positive.
+//! s′ = 1 alone, so all d_i of a half are positive; the second halving makes the
+//! box smaller.
 //!
 //! # Complexity
 //! O(k n) exact operations for k parts and n generators.
@@ -36,7 +37,6 @@
 //! # Example
 //! ```
 //! use zonotope::Zonotope;
-//! use zonotope::motion::space_time::by_control_points::volume;
 //! use zonotope::motion::{Motion, MotionPiece};
 //! let quarter = MotionPiece {
 //!     until: 1.0,
@@ -46,7 +46,7 @@
 //!     translation: [0.0; 3],
 //! };
 //! let bar = Zonotope::new([2.0, 0.0, 0.0], vec![[1.0, 0.0, 0.0]])?;
-//! assert!(volume(&Motion::from_pieces(&[quarter])?, &bar)?.contains([0.0, 3.0, 0.0])?);
+//! assert!(bar.swept(&Motion::from_pieces(&[quarter])?)?.contains([0.0, 3.0, 0.0])?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -67,7 +67,7 @@ use crate::zonotope::Zonotope;
 ///
 /// # Errors
 /// [`SweepError::OutOfRange`] if it leaves the range of doubles.
-pub fn volume(motion: &Motion, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
+pub(super) fn volume(motion: &Motion, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
     let middle = Middle::of(&motion.exact_arc([0.5, 0.5], Clock::Kept));
     let mut bounds: [Option<[Rational; 2]>; 3] = [const { None }; 3];
     let times: Vec<f64> = [0.0].into_iter().chain(motion.breaks()).chain([1.0]).collect();

@@ -22,8 +22,8 @@
 //! bodies that the axis goes through are allowed.
 //!
 //! # Numerics
-//! The square is orthogonal to the axis exactly. Its half-side is rounded up: it exceeds the exact one by about
-//! n 2^-52 of it at most.
+//! The square is orthogonal to the axis exactly. Its half-side is rounded up: it exceeds the exact one by about n 2^-52
+//! of it, and by 2^-48 of the body's distance from the axis point, which is long where a body lies far along the axis.
 //!
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.

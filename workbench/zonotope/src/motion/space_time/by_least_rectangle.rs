@@ -4,7 +4,7 @@
 //! Input: a sweep, a body. Output: a zonotope that contains every placement exactly.
 //!
 //! # Source
-//! Section 6, Figure 3: \"If we can enclose these arcs in a tight-fitting parallelogram\". The paper takes a square
+//! Section 6, Figure 3: "If we can enclose these arcs in a tight-fitting parallelogram". The paper takes a square
 //! around a circle; a rectangle around the arcs themselves is smaller and lies beside their common origin.
 //!
 //! # Method
@@ -22,7 +22,7 @@
 //! # Numerics
 //! The rectangle is found in doubles, of the points over a power of two of their own: a body may be as far along its
 //! axis as doubles go, and its arcs so small that their squares are zero. A box of some 2^-45 of the distance of the
-//! farthest vertex from the axis holds what rounding loses.
+//! farthest vertex from the axis point holds what rounding loses.
 //!
 //! # Errors
 //! [`SweepError::OutOfRange`] ⇔ a coordinate of the volume is above the largest double.

@@ -8,7 +8,6 @@
 
 use super::super::SeparatingDirection;
 use super::super::gap::{GapBound, Stretch};
-use super::directions::fixed_in_space;
 use super::edges;
 use crate::motion::quaternion::transposed_image;
 use smallvec::SmallVec;
@@ -29,7 +28,7 @@ pub(super) fn candidates(
     given: &SeparatingDirection,
 ) -> SmallVec<[SeparatingDirection; 4]> {
     let mut candidates = SmallVec::from_iter([*given]);
-    let Some(u) = fixed_in_space(given) else { return candidates };
+    let Some(u) = given.fixed_in_space() else { return candidates };
     let turns = [0, 1].map(|i| !stretch.arcs[i].is_translation);
     let turned_back = |i: usize| transposed_image(&stretch.rotations[i][0], &u);
     if turns[0] {

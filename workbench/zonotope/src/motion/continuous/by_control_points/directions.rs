@@ -18,11 +18,12 @@ pub(in crate::motion::continuous) fn separating(
     known: &[Apart; 3],
     tally: &mut dyn Tally,
 ) -> Option<SeparatingDirection> {
-    let mut turning = known.iter().flatten().filter(|direction| fixed_in_space(direction).is_none());
+    let mut turning = known.iter().flatten().filter(|direction| direction.fixed_in_space().is_none());
     if let Some(direction) = turning.find(|direction| moving.is_proved(stretch, times, direction, tally)) {
         return Some(*direction);
     }
-    let mut first: SmallVec<[[f64; 3]; 3]> = known.iter().flatten().filter_map(fixed_in_space).collect();
+    let mut first: SmallVec<[[f64; 3]; 3]> =
+        known.iter().flatten().filter_map(SeparatingDirection::fixed_in_space).collect();
     if first.is_empty() {
         first.push(middle_path(stretch));
     }
@@ -63,19 +64,11 @@ pub(in crate::motion::continuous) fn of_edges(
     known: &[Apart],
     tally: &mut dyn Tally,
 ) -> Option<SeparatingDirection> {
-    let u = known.iter().flatten().find_map(fixed_in_space)?;
+    let u = known.iter().flatten().find_map(SeparatingDirection::fixed_in_space)?;
     if stretch.arcs.iter().all(|arc| arc.is_translation) {
         return None;
     }
     edges::normals(stretch, u).find(|direction| moving.is_proved(stretch, times, direction, tally))
-}
-
-/// The direction, if it is fixed in space.
-pub(in crate::motion::continuous) fn fixed_in_space(direction: &SeparatingDirection) -> Option<[f64; 3]> {
-    match direction {
-        SeparatingDirection::Space(u) => Some(*u),
-        _ => None,
-    }
 }
 
 /// The path between the centres of the bodies at the middle of a stretch.

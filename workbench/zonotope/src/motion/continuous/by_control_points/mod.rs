@@ -16,8 +16,9 @@
 //!    the first stretch that is not decided. Try, in turn: the directions that separate the bodies at its ends, and the
 //!    direction that proved the stretch before it; a direction fixed in space, in the first body, in the second body,
 //!    each searched for over the control zonotopes.
-//! 2. A direction proves the stretch if the six coefficients of the gap are positive: in doubles with one bound for
-//!    all, with a bound for each operation where that leaves a doubt, exactly where these do.
+//! 2. A direction proves the stretch if the six coefficients of the gap are positive, or those of its halves are, up to
+//!    four times over: in doubles with one bound for all, with a bound for each operation where that leaves a doubt,
+//!    exactly where these do.
 //! 3. Else look at the bodies as they stand at the middle, by a search in doubles. The normals of the edges that are
 //!    most nearly orthogonal to the direction that separates them there may prove the whole stretch; else its halves
 //!    are stretches of their own.
@@ -26,8 +27,9 @@
 //!    an edge of each, whichever keeps a gap for longest (`approach`). When it is as short as the resolution,
 //!    coefficients must prove the contact for the exact placements; else it is a stretch like others, and so is what
 //!    follows it.
-//! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing; so is one that is shorter than
-//!    [`SHORT_STRETCH`] if the bodies are as near at its middle as [`GRAZING_DISTANCE`] says.
+//! 5. A stretch that is shorter than [`SHORTEST_STRETCH`] and not decided is grazing, unless the bodies are proved to
+//!    meet at its end; so is one that is shorter than [`SHORT_STRETCH`] if the bodies are as near at its middle and at
+//!    its end as [`GRAZING_DISTANCE`] says.
 //! 6. Where the bodies stay apart, neighbouring stretches that one direction proves are joined (`joined`).
 //!
 //! # Complexity
@@ -63,7 +65,6 @@ pub(super) mod directions;
 mod edges;
 mod joined;
 
-use self::directions::fixed_in_space;
 use super::gap::Stretch;
 use super::scene::{Apart, Scene};
 use super::simplex_search::Search as Looked;
@@ -182,10 +183,7 @@ impl Search<'_, '_> {
         }
         let width = until - from;
         if width <= SHORTEST_STRETCH {
-            return match self.scene.at(until, self.tally) {
-                Ok(witness) if width <= self.resolution => Decided::Contact(times, witness),
-                _ => Decided::Grazing,
-            };
+            return self.decide_at_end(times, hints);
         }
         let middle = from + width / 2.0;
         match self.look(middle, &hints) {
@@ -200,14 +198,26 @@ impl Search<'_, '_> {
                     self.free.push(FreeStretch { from, until, direction });
                     return Decided::Not;
                 }
-                if width <= SHORT_STRETCH && self.is_grazing(middle) && self.is_grazing(times[1]) {
-                    return Decided::Grazing;
+                if width <= SHORT_STRETCH && self.is_grazing(middle) && self.is_grazing(until) {
+                    return self.decide_at_end(times, hints);
                 }
                 self.open.push(Open { times: [middle, until], hints: [found, hints[1]], meets: false, cuts: 0 });
                 self.open.push(Open { times: [from, middle], hints: [hints[0], found], meets: false, cuts: 0 });
             }
         }
         Decided::Not
+    }
+
+    /// Decides about a stretch that is too short to be halved for a direction: the bodies meet at its end, or graze.
+    fn decide_at_end(&mut self, times: [f64; 2], hints: [Apart; 2]) -> Decided {
+        match self.scene.at(times[1], self.tally) {
+            Ok(witness) if times[1] - times[0] <= self.resolution => Decided::Contact(times, witness),
+            Ok(_) => {
+                self.open.push(Open { times, hints: [hints[0], None], meets: true, cuts: 0 });
+                Decided::Not
+            }
+            Err(_) => Decided::Grazing,
+        }
     }
 
     /// Makes a stretch at the end of which the bodies seem to meet shorter.
@@ -239,7 +249,7 @@ impl Search<'_, '_> {
 
     /// The position of the bodies at a time: by a search in doubles, exactly where that leaves a doubt.
     fn look(&mut self, time: f64, hints: &[Apart; 2]) -> Look {
-        let first = hints.iter().rev().flatten().find_map(fixed_in_space);
+        let first = hints.iter().rev().flatten().find_map(SeparatingDirection::fixed_in_space);
         match self.scene.moving.looked_at(time, first, self.tally) {
             Looked::Found(u) => Look::Apart(Some(SeparatingDirection::Space(u))),
             Looked::Inside => Look::Meets,

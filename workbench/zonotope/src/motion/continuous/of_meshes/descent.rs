@@ -111,7 +111,7 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         let moving = Moving::new([a, b], self.motions, [0.0; 2]);
         let [from, until] = pair.times;
         let middle = from + (until - from) / 2.0;
-        let hint = pair.hints.iter().flatten().find_map(directions::fixed_in_space);
+        let hint = pair.hints.iter().flatten().find_map(SeparatingDirection::fixed_in_space);
         let look = moving.looked_at(middle, hint, tally);
         let found = match look {
             Search::Found(u) => Some(SeparatingDirection::Space(u)),

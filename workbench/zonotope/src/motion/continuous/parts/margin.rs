@@ -6,8 +6,12 @@
 //! - A direction that turns with the body turns as the motion does, not as the stretch does. Seen from the body it
 //!   stands still, and so does the body; points of the *other* body are off by δ times their distance from the axis.
 //! - The normal of an edge of each body changes by δ times the lengths of both edges. Its product with the path between
-//!   two points is a determinant. It is off by δ times these lengths and the distance of the other body's points from
-//!   a point of the axis, and as much again for the body's own points.
+//!   two points is a determinant. It is off by δ times these lengths and the distance of the other body's points from a
+//!   point of the axis, and as much again for the body's own points: seen with its own edge these turn as one. The
+//!   bodies are moved one after the other, each while the other one stands where the motion has it, so nothing of
+//!   second order is left over.
+//!
+//! The verifier lets a direction turn as the stretch does and bounds the points alone (`motion/gap` of its crate).
 
 use super::super::SeparatingDirection;
 use super::body::Body;

@@ -11,13 +11,15 @@ use super::body::Body;
 use crate::motion::arc::Arc;
 use crate::motion::quaternion::{composition, conjugate};
 use crate::numeric::linear::{cross, dot, norm_of_any_size, sum_norm};
-use crate::numeric::tolerance::{MODERATE_SIZES, RATE_ROUNDING};
+use crate::numeric::tolerance::{MODERATE_SIZES, RATE_ROUNDING, SINE_OF_QUATERNIONS};
 
 /// A body that turns about an axis and whose base goes along a segment, for s from 0 to 1.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::motion::continuous) struct Rates {
     /// A unit vector of the axis in space; zero where nothing turns.
     pub(in crate::motion::continuous) axis: [f64; 3],
+    /// The sine of the largest angle between that vector and the axis; 1 where nothing is known of the axis.
+    axis_error: f64,
     /// The angle of the stretch.
     pub(in crate::motion::continuous) angle: f64,
     /// The largest rate of the angle.
@@ -34,7 +36,8 @@ impl Rates {
     pub(in crate::motion::continuous) fn of(arc: &Arc<f64>, body: &Body<'_>) -> Self {
         let [from, to] = &arc.turns;
         let [x, y, z] = [0, 1, 2].map(|k| (arc.base[1][k] - arc.base[0][k]) / arc.weight);
-        let still = Self { axis: [0.0; 3], angle: 0.0, rate: 0.0, change: 0.0, reach: 0.0, travel: [x, y, z] };
+        let still =
+            Self { axis: [0.0; 3], axis_error: 0.0, angle: 0.0, rate: 0.0, change: 0.0, reach: 0.0, travel: [x, y, z] };
         if arc.is_translation {
             return still;
         }
@@ -49,26 +52,31 @@ impl Rates {
             return Self { angle: unknown, rate: unknown, change: unknown, ..still };
         }
         let sine = norm_of_any_size(&axis);
-        if sine == 0.0 {
-            return still;
-        }
+        let error = SINE_OF_QUATERNIONS * (squares[0] * squares[1]).sqrt();
+        let axis_error = if sine > error { error / sine } else { 1.0 };
         let unit = |v: [f64; 3]| {
             let length = norm_of_any_size(&v);
-            v.map(|c| c / length)
+            if length > 0.0 { v.map(|c| c / length) } else { v }
         };
         let step: [f64; 4] = std::array::from_fn(|k| to[k] - from[k]);
         let (at_begin, at_end) = (dot(from, &step), dot(to, &step));
-        let least =
-            if at_begin < 0.0 && at_end > 0.0 { sine * sine / dot(&step, &step) } else { squares[0].min(squares[1]) };
-        let rate = 2.0 * sine / least * RATE_ROUNDING;
+        let (at_ends, chord) = (squares[0].min(squares[1]), dot(&step, &step));
+        let least = if at_begin < 0.0 && at_end > 0.0 {
+            // the squared distance of the chord from the origin, and a bound for one so short that its sine is unknown
+            ((sine - error).max(0.0).powi(2) / chord).max(at_ends - chord / 4.0)
+        } else {
+            at_ends
+        };
+        let rate = 2.0 * (sine + error) / least * RATE_ROUNDING;
         let change = rate * 2.0 * at_begin.abs().max(at_end.abs()) / least * RATE_ROUNDING;
         let own = unit(own);
         let off_axis = |v: &[f64; 3]| norm_of_any_size(&cross(&own, v));
         let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
         let reach = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
         let size = body.magnitude() + sum_norm(&body.center()) + sum_norm(&arc.arm) / arc.weight;
-        let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0) * size;
-        Self { axis: unit(axis), angle: 2.0 * libm::atan(sine / w.max(0.0)), rate, change, reach, travel: still.travel }
+        let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0 + axis_error) * size;
+        let angle = 2.0 * libm::atan((sine + error) / w.max(0.0));
+        Self { axis: unit(axis), axis_error, angle, rate, change, reach, travel: still.travel }
     }
 
     /// A bound of the speed of a point of the body along a unit direction, beside that of the base.
@@ -82,6 +90,6 @@ impl Rates {
     }
 
     fn off_axis(&self, u: &[f64; 3]) -> f64 {
-        norm_of_any_size(&cross(&self.axis, u)) + (RATE_ROUNDING - 1.0)
+        norm_of_any_size(&cross(&self.axis, u)) + (RATE_ROUNDING - 1.0 + self.axis_error)
     }
 }

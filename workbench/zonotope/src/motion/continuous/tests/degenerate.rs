@@ -1,8 +1,8 @@
 //! Bodies without an inside, equal bodies, contacts that last, and numbers at the ends of the range of doubles.
 
 use super::{FirstContact, first_contact};
-use crate::motion::Motion;
-use crate::motion::continuous::by_control_points::first_contact_counted;
+use crate::motion::continuous::by_control_points::{first_contact_counted, first_contact_within};
+use crate::motion::{Motion, MotionPiece};
 use crate::tally::{Operation, OperationCounts};
 use crate::zonotope::Zonotope;
 
@@ -43,6 +43,35 @@ fn bodies_that_touch_at_the_start_meet_at_the_time_zero() {
         assert_eq!(contact_time(&found), Some([0.0; 2]));
         let found = first_contact([&a, &a], [&motion, &motion]);
         assert_eq!(contact_time(&found), Some([0.0; 2]), "equal bodies meet");
+    }
+}
+
+/// A cube that docks at the end of a step, or is in the other one there by less than a stretch of time shows.
+#[test]
+fn bodies_that_meet_at_the_end_of_a_step_meet() {
+    let (cube, other) = (body([0.0; 3], &CUBE), body([6.0, 0.0, 0.0], &CUBE));
+    for exponent in [-60, -42, -38, -34, -30, -26, -20] {
+        let over = if exponent == -60 { 0.0 } else { 2f64.powi(exponent) };
+        let right = Motion::translation([4.0 * (1.0 + over), 0.0, 0.0]).expect("finite");
+        for resolution in [2f64.powi(-30), 2f64.powi(-50)] {
+            let found = first_contact_within([&cube, &other], [&right, &Motion::rest()], resolution);
+            let time = contact_time(&found).unwrap_or_else(|| panic!("{exponent}: {found:?}"));
+            let exact = 1.0 / (1.0 + over);
+            assert!(time[0] <= exact && exact <= time[1].next_up() && time[1] - time[0] <= resolution, "{time:?}");
+        }
+    }
+    // the first part of a motion ends in contact
+    let part = |until, x| MotionPiece {
+        until,
+        from: [1.0, 0.0, 0.0, 0.0],
+        to: [1.0, 0.0, 0.0, 0.0],
+        axis_point: [0.0; 3],
+        translation: [x, 0.0, 0.0],
+    };
+    for second in [4.0, 0.0, -4.0] {
+        let two = Motion::from_pieces(&[part(0.5, 4.0), part(1.0, second)]).expect("a motion");
+        let time = contact_time(&first_contact([&cube, &other], [&two, &Motion::rest()]));
+        assert!(time.is_some_and(|[before, met]| before < 0.5 && met == 0.5), "{time:?}");
     }
 }
 

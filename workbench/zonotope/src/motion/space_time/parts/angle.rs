@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::numeric::bounded::Bounded;
 
-/// An angle that has the same set of rotations below it: not above a turn but for rounding, and 0 or so large that half
-/// of it is a normal double.
+/// An angle that has all rotations of the given one below it, and no others but of less than 1e-300: not above a turn
+/// but for rounding, and 0 or so large that half of it is a normal double.
 pub(in super::super) fn covering(angle: f64) -> f64 {
     if angle == 0.0 { 0.0 } else { angle.clamp(1e-300, TAU.next_up()) }
 }
