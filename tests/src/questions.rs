@@ -182,7 +182,11 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             json!({"a": body(dice, style, space, count), "b": body(dice, style, space, 5_usize.saturating_sub(count))})
         }
         "collide" => {
-            let (a, b) = (body(dice, style, 3, count), body(dice, style, 3, 4_usize.saturating_sub(count)));
+            let (a, b) = if dice.one_in(3) {
+                (mesh_at_rest(dice, style, some.min(4)), mesh_at_rest(dice, style, 5 - some.min(4)))
+            } else {
+                (body(dice, style, 3, count), body(dice, style, 3, 4_usize.saturating_sub(count)))
+            };
             let mut motion = json!({"a": pieces(dice)});
             if dice.one_in(2) {
                 motion["b"] = pieces(dice);
@@ -194,11 +198,7 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
             if dice.one_in(2) { with(input, "pairs", json!(true)) } else { input }
         }
         "mesh_level" => {
-            let mut a = mesh(dice, style, some);
-            if let Some(fields) = a.as_object_mut() {
-                fields.remove("pose");
-            }
-            json!({"a": a, "level": dice.below(4)})
+            json!({"a": mesh_at_rest(dice, style, some), "level": dice.below(4)})
         }
         "hausdorff" => {
             let (a, b) = (body(dice, style, space, count), body(dice, style, space, 4_usize.saturating_sub(count)));
@@ -254,11 +254,16 @@ fn input(dice: &mut Dice, kind: &str, style: Style, dimension: usize) -> Value {
     }
 }
 
-/// A mesh with so many triangles, now and then flat ones and repeated ones, and perhaps a pose.
-fn mesh(dice: &mut Dice, style: Style, count: usize) -> Value {
+/// A mesh with so many triangles, now and then flat ones and repeated ones.
+fn mesh_at_rest(dice: &mut Dice, style: Style, count: usize) -> Value {
     let vertices = 1 + dice.below(5);
     let triangles: Vec<[usize; 3]> = (0..count).map(|_| [(); 3].map(|()| dice.below(vertices))).collect();
-    let mut mesh = json!({"vertices": vectors(dice, style, 3, vertices), "triangles": triangles});
+    json!({"vertices": vectors(dice, style, 3, vertices), "triangles": triangles})
+}
+
+/// A mesh with so many triangles, and perhaps a pose.
+fn mesh(dice: &mut Dice, style: Style, count: usize) -> Value {
+    let mut mesh = mesh_at_rest(dice, style, count);
     if dice.one_in(3) {
         mesh["pose"] = json!({"translation": vector(dice, style, 3)});
     }
