@@ -177,11 +177,11 @@ fn print_theirs(name: &str, turn: u32, casts: &Casts) {
     }
     let asked = casts.times.iter().map(Vec::len).sum::<usize>();
     println!(
-        "# {name} {turn}: of {asked} casts {} overlap at a sampled time; {} missed ({} by its own static test), {} late, {}",
+        "# {name} {turn}: of {asked} casts {} overlap when sampled; {} missed ({} by its static test), {} late{}",
         casts.overlaps,
         casts.missed,
         casts.confirmed,
         casts.late,
-        format_args!("{} invented, {} refused", casts.invented, casts.refused),
+        format_args!(", {} invented, {} refused", casts.invented, casts.refused),
     );
 }
