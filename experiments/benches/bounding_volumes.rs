@@ -15,7 +15,7 @@ use std::time::Instant;
 use experiments::hierarchies::{Asked, MESHES, Placed, Scene, Tests, scene};
 use zonotope::bvh::{
     Aabb, BoundingVolume, BuildOptions, Bvh, Dop18, Dop26, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5,
-    Zonotope6,
+    Zonotope6, ZonotopeByCost,
 };
 use zonotope::tally::OperationCounts;
 
@@ -107,5 +107,6 @@ fn main() {
         measured.lines::<Zonotope4>();
         measured.lines::<Zonotope5>();
         measured.lines::<Zonotope6>();
+        measured.lines::<ZonotopeByCost>();
     }
 }

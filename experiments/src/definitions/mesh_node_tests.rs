@@ -6,6 +6,7 @@ use crate::seed::Digest;
 use std::sync::Arc;
 use zonotope::bvh::{
     Aabb, BoundingVolume, Bvh, Dop18, Dop26, Method, OrientedBox, Sphere, Zonotope3, Zonotope4, Zonotope5, Zonotope6,
+    ZonotopeByCost,
 };
 use zonotope::tally::OperationCounts;
 
@@ -31,6 +32,7 @@ const VARIANTS: &[Variant] = &[
     Variant::at_all_sizes("zonotope_4", "Zonotopes, K = 4"),
     Variant::at_all_sizes("zonotope_5", "Zonotopes, K = 5"),
     Variant::at_all_sizes("zonotope_6", "Zonotopes, K = 6"),
+    Variant::at_all_sizes("zonotope_by_cost", "Zonotopes, K = 3 to 6 by cost"),
 ];
 
 /// The numbers of tests.
@@ -93,6 +95,7 @@ fn of_volume(id: &str) -> Result<Measures, String> {
         Some(Method::Zonotope4) => Measures::of::<Zonotope4>(),
         Some(Method::Zonotope5) => Measures::of::<Zonotope5>(),
         Some(Method::Zonotope6) => Measures::of::<Zonotope6>(),
+        Some(Method::ZonotopeByCost) => Measures::of::<ZonotopeByCost>(),
         _ => return Err(format!("no volume is called {id}")),
     })
 }

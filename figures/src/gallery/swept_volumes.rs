@@ -7,7 +7,7 @@ use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::solid::Camera;
 use crate::style::{ENCLOSING, GREY, INPUT, Paint, Stroke, text_size, weight};
 use experiments::moving::swept::Placements;
-use zonotope::motion::space_time::{Method, Sweep, by_control_points, volumes_of_intervals};
+use zonotope::motion::space_time::{Method, Sweep, volumes_of_intervals};
 use zonotope::motion::{Motion, MotionPiece};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
@@ -47,7 +47,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         let excess = excess(&volume, hull);
         pictures.push((name, vec![volume], excess));
     }
-    let rational = by_control_points::volume(&turn(angle), &link).expect("the volume is in range");
+    let rational = link.swept(&turn(angle)).expect("the volume is in range");
     let over = excess(&rational, hull);
     pictures.push(("box of control points", vec![rational], over));
     let chain = volumes_of_intervals(&sweep, &link, PARTS, Method::ByMiddlePlacement).expect("they are in range");

@@ -1,6 +1,6 @@
 //! Hierarchies over meshes beside those of other libraries: two copies that stand still, and two that move.
 //!
-//! `cargo run --release -p peers --features others --example meshes -- 40 40` sets the poses of each mesh and the
+//! `cargo run --release -p peers --features trees --example meshes -- 40 40` sets the poses of each mesh and the
 //! motions of each small mesh and greatest turn; 0 leaves a part out. What is printed are comma-separated values under
 //! a line of settings.
 

@@ -5,7 +5,7 @@ use super::mesh::{Mesh, PlacedMesh};
 use super::nearest::MeshDistance;
 use super::{
     Aabb, BeyondDoubles, BoundingVolume, Dop18, Dop26, Enclosed, OrientedBox, Shaped, Sphere, Zonotope3, Zonotope4,
-    Zonotope5, Zonotope6, Zonotope7, Zonotope8,
+    Zonotope5, Zonotope6, Zonotope7, Zonotope8, ZonotopeByCost,
 };
 use crate::tables::methods;
 use crate::tally::Tally;
@@ -29,7 +29,7 @@ methods! {
     /// [`Zonotope3`].
     Zonotope3 => "zonotope_3", "Parallelepipeds", "15 directions";
     /// [`Zonotope4`].
-    Zonotope4 => "zonotope_4", "Zonotopes of at most four generators", "12 directions";
+    Zonotope4 => "zonotope_4", "Zonotopes of at most four generators", "28 directions";
     /// [`Zonotope5`].
     Zonotope5 => "zonotope_5", "Zonotopes of at most five generators", "20 directions";
     /// [`Zonotope6`].
@@ -38,6 +38,8 @@ methods! {
     Zonotope7 => "zonotope_7", "Zonotopes of at most seven generators", "42 directions";
     /// [`Zonotope8`].
     Zonotope8 => "zonotope_8", "Zonotopes of at most eight generators", "56 directions";
+    /// [`ZonotopeByCost`].
+    ZonotopeByCost => "zonotope_by_cost", "Zonotopes of three to six generators, by cost", "15 to 30 directions";
 }
 
 /// Calls a function with the type of a method's volume.
@@ -55,6 +57,7 @@ macro_rules! with_volume {
             Method::Zonotope6 => $function::<Zonotope6>($($argument),*),
             Method::Zonotope7 => $function::<Zonotope7>($($argument),*),
             Method::Zonotope8 => $function::<Zonotope8>($($argument),*),
+            Method::ZonotopeByCost => $function::<ZonotopeByCost>($($argument),*),
         }
     };
 }
@@ -70,7 +73,7 @@ pub enum Encounter {
 
 impl Method {
     /// The volumes that are zonotopes of few generators: boxes in both ways and zonotopes.
-    pub const SHAPED: [Self; 8] = [
+    pub const SHAPED: [Self; 9] = [
         Self::Aabb,
         Self::OrientedBox,
         Self::Zonotope3,
@@ -79,6 +82,7 @@ impl Method {
         Self::Zonotope6,
         Self::Zonotope7,
         Self::Zonotope8,
+        Self::ZonotopeByCost,
     ];
 
     /// The volumes of a level of a mesh's hierarchy, as [`Bvh::level`] has them; `None` of spheres and of polytopes of
@@ -97,6 +101,7 @@ impl Method {
             Self::Zonotope6 => level::<Zonotope6>(mesh, depth),
             Self::Zonotope7 => level::<Zonotope7>(mesh, depth),
             Self::Zonotope8 => level::<Zonotope8>(mesh, depth),
+            Self::ZonotopeByCost => level::<ZonotopeByCost>(mesh, depth),
         })
     }
 

@@ -52,3 +52,4 @@ pub use volumes::oriented_box::OrientedBox;
 pub use volumes::shape::Shaped;
 pub use volumes::sphere::Sphere;
 pub use volumes::zonotope::{Zonotope3, Zonotope4, Zonotope5, Zonotope6, Zonotope7, Zonotope8};
+pub use volumes::zonotope_by_cost::ZonotopeByCost;

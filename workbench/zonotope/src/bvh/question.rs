@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use super::frame::Frame;
 use super::hierarchy::{Bvh, PlacedBvh};
 use super::mesh::PlacedMesh;
+use super::triangles::plane::{Corners, Planar};
 use super::triangles::{by_planes, distance as of_triangles, meet_exactly};
 use super::volume::BoundingVolume;
-use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::root::Root;
 use crate::numeric::exact_linear::{ExactVector, exact};
@@ -62,29 +62,38 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
         first.volumes[a].gap(&second.volumes[b], &self.turned) - self.frame.slack
     }
 
+    /// Whether two nodes are proved disjoint.
+    #[inline]
+    pub(super) fn are_apart(&self, [a, b]: [usize; 2]) -> bool {
+        let [first, second] = self.hierarchies();
+        first.volumes[a].is_apart(&second.volumes[b], &self.turned, self.frame.slack)
+    }
+
     /// A pair of triangles in the order of the caller.
     pub(super) fn ordered(&self, [i, j]: [usize; 2]) -> [usize; 2] {
         if self.is_swapped { [j, i] } else { [i, j] }
     }
 
-    /// The corners of a triangle of one side in the frame, with bounds on their errors.
+    /// The corners of a triangle of one side in the frame.
     #[inline]
-    pub(super) fn corners(&self, side: usize, triangle: usize) -> [BoundedVector; 3] {
+    pub(super) fn corners(&self, side: usize, triangle: usize) -> Corners {
         let hierarchy = &*self.sides[side].hierarchy;
-        let corners = hierarchy.mesh.triangles()[triangle].map(|vertex| hierarchy.points[vertex as usize]);
+        let values = hierarchy.mesh.triangles()[triangle].map(|vertex| hierarchy.points[vertex as usize]);
         if side == 0 {
-            let error = hierarchy.rounding;
-            return corners.map(|corner| corner.map(|value| Bounded { value, error }));
+            return Corners { values, error: hierarchy.rounding };
         }
         let error = self.frame.point_error + hierarchy.rounding;
         let error = if self.frame.ratio == 1.0 { error } else { error + PRODUCT_UNDERFLOW };
-        corners.map(|corner| self.frame.image(&corner).map(|value| Bounded { value, error }))
+        Corners { values: values.map(|corner| self.frame.image(&corner)), error }
     }
 
     /// Whether two triangles meet.
     #[inline]
-    pub(super) fn meet(&self, pair: [usize; 2], corners: [&[BoundedVector; 3]; 2], exact_tests: &mut u64) -> bool {
-        by_planes::meet(corners[0], corners[1]).unwrap_or_else(|| {
+    pub(super) fn meet(&self, pair: [usize; 2], [a, b]: [&Planar; 2], exact_tests: &mut u64) -> bool {
+        if a.has_beside(&b.corners) || b.has_beside(&a.corners) {
+            return false;
+        }
+        by_planes::meet(&a.corners.bounded(), &b.corners.bounded()).unwrap_or_else(|| {
             *exact_tests += 1;
             let [a, b] = self.exact_corners(pair);
             meet_exactly(&a, &b)
@@ -97,10 +106,8 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
     }
 
     /// Bounds of the distance of two triangles in the frame.
-    pub(super) fn bounds(&self, corners: [&[BoundedVector; 3]; 2]) -> [f64; 2] {
-        let values = corners.map(|triangle| triangle.map(|corner| corner.map(|c| c.value)));
-        let error = corners.map(|triangle| triangle[0][0].error).into_iter().fold(0.0, f64::max);
-        of_triangles::bounds(&values[0], &values[1], self.size, error)
+    pub(super) fn bounds(&self, [a, b]: [&Corners; 2]) -> [f64; 2] {
+        of_triangles::bounds(&a.values, &b.values, self.size, a.error.max(b.error))
     }
 
     /// The neighbouring doubles of the distance of two triangles, in the coordinates in which the meshes were placed.

@@ -10,7 +10,8 @@
 //!
 //! # Method
 //! 1. Take a pair of nodes from the stack; if their volumes are proved disjoint, it is done.
-//! 2. Of two leaves, test every pair of triangles: with bounded doubles, exactly where these leave a doubt.
+//! 2. Of two leaves, test every pair of triangles: by the planes of both in doubles, with bounded
+//!    doubles where no plane separates them, and exactly where these leave a doubt.
 //! 3. Else open the larger node, or the one that is no leaf.
 //!
 //! # Complexity
@@ -43,6 +44,10 @@ use super::question::Question;
 use super::volume::BoundingVolume;
 use crate::tally::{Operation, Tally};
 
+/// Room for pairs of nodes from the start: a pair that is opened leaves one more, and trees are seldom deeper than this
+/// together.
+const STACK: usize = 64;
+
 /// Calls `visit` with every pair of triangles that meet, until it breaks.
 pub(super) fn descend<V: BoundingVolume>(
     question: &Question<'_, V>,
@@ -51,12 +56,13 @@ pub(super) fn descend<V: BoundingVolume>(
 ) {
     let [a, b] = question.hierarchies();
     let ratio = question.frame.ratio;
-    let mut stack = vec![[0, 0]];
+    let mut stack = Vec::with_capacity(STACK);
+    stack.push([0, 0]);
     let mut counts = Counts::default();
     let mut corners = Vec::new();
     while let Some([i, j]) = stack.pop() {
         counts.nodes += 1;
-        if question.gap([i, j]) > 0.0 {
+        if question.are_apart([i, j]) {
             continue;
         }
         match (a.topology.nodes[i].children(i), b.topology.nodes[j].children(j)) {
@@ -64,9 +70,9 @@ pub(super) fn descend<V: BoundingVolume>(
                 let (rows, columns) = (&a.topology.nodes[i], &b.topology.nodes[j]);
                 corners.clear();
                 let columns = &b.topology.order[columns.range()];
-                corners.extend(columns.iter().map(|&t| question.corners(1, t as usize)));
+                corners.extend(columns.iter().map(|&t| question.corners(1, t as usize).with_plane()));
                 let is_stopped = a.topology.order[rows.range()].iter().any(|&row| {
-                    let of_row = question.corners(0, row as usize);
+                    let of_row = question.corners(0, row as usize).with_plane();
                     columns.iter().zip(&corners).any(|(&column, of_column)| {
                         counts.triangles += 1;
                         let pair = [row as usize, column as usize];

@@ -137,10 +137,11 @@ impl Pose {
     /// The largest entry of Mᵀ M − I in magnitude, within a few roundings: 0 for a rotation or a reflection, and about
     /// how far lengths and angles of a posed body are off those of the body itself.
     pub fn distance_from_rotation(&self) -> f64 {
-        let m = &self.matrix;
-        let product = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
-        let off = |i: usize, j: usize| (product(i, j) - if i == j { 1.0 } else { 0.0 }).abs();
-        (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max)
+        let [a, b, c] = &self.matrix;
+        let product = |i: usize, j: usize| a[i] * a[j] + b[i] * b[j] + c[i] * c[j];
+        let [x, y, z] = [0, 1, 2].map(|i| (product(i, i) - 1.0).abs());
+        let [u, v, w] = [product(0, 1), product(0, 2), product(1, 2)].map(f64::abs);
+        x.max(y).max(z).max(u).max(v.max(w))
     }
 
     /// M v, exactly.

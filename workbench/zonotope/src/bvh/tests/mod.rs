@@ -24,6 +24,7 @@ macro_rules! for_each_volume {
         $function::<crate::bvh::Zonotope6>($($argument),*);
         $function::<crate::bvh::Zonotope7>($($argument),*);
         $function::<crate::bvh::Zonotope8>($($argument),*);
+        $function::<crate::bvh::ZonotopeByCost>($($argument),*);
     };
 }
 

@@ -3,6 +3,7 @@
 use super::meshes::{cube, random_poses, round, touching_poses};
 use super::*;
 use crate::Pose;
+use crate::bvh::question::Question;
 use crate::property_cases;
 use crate::tally::{Operation, OperationCounts};
 
@@ -41,6 +42,28 @@ fn pairs_of_turned_meshes_are_those_of_all_pairs() {
     let (torus, count) = (round(6, 7, 1.25), property_cases::config(100).cases as usize);
     all_agree([&cube(), &torus], &paired(random_poses(count, 2.5, 3), random_poses(count, 2.5, 4)));
     all_agree([&torus, &round(4, 5, 0.75)], &paired(random_poses(count, 2.0, 5), random_poses(count, 2.0, 6)));
+}
+
+/// Holds the short test of each pair of nodes to the gap.
+fn short_tests_agree<V: BoundingVolume>(meshes: [&Mesh; 2], poses: &[[Pose; 2]]) {
+    let [a, b] = meshes.map(Bvh::<V>::build);
+    let mut apart = [0; 2];
+    for [of_a, of_b] in poses {
+        let question = Question::new(a.at(of_a), b.at(of_b));
+        let nodes = question.hierarchies().map(|hierarchy| hierarchy.volumes.len());
+        for pair in (0..nodes[0]).flat_map(|i| (0..nodes[1]).map(move |j| [i, j])) {
+            let is_apart = question.gap(pair) > 0.0;
+            assert_eq!(question.are_apart(pair), is_apart, "{} {pair:?}", V::NAME);
+            apart[usize::from(is_apart)] += 1;
+        }
+    }
+    assert!(apart.iter().all(|count| *count > 0), "{}: {apart:?}", V::NAME);
+}
+
+#[test]
+fn nodes_are_apart_where_their_gap_says_so() {
+    let poses = paired(random_poses(6, 2.0, 9), random_poses(6, 2.0, 10));
+    for_each_volume!(short_tests_agree([&cube(), &round(6, 7, 1.25)], &poses));
 }
 
 #[test]

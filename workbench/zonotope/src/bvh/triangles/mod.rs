@@ -5,6 +5,7 @@
 //!
 //! | file | answers | cost |
 //! |---|---|---|
+//! | `plane` | pairs that the plane of one separates, in doubles with one bound for all rounding | 3 heights |
 //! | [`by_planes`] | pairs in general position, over any numbers with certain signs | 2 planes, then at most 18 volumes |
 //! | [`by_separating_planes`] | all pairs, in exact numbers | 30 directions |
 //! | [`brute_force`] | all pairs, in rationals: the truth | a linear program of nine unknowns |
@@ -16,6 +17,7 @@ pub mod brute_force;
 pub mod by_planes;
 pub mod by_separating_planes;
 pub mod distance;
+pub(in crate::bvh) mod plane;
 #[cfg(test)]
 mod tests;
 

@@ -3,6 +3,7 @@
 use super::shape::Shaped;
 use crate::bvh::frame::Frame;
 use crate::bvh::volume::{BoundingVolume, ROUNDED_BOX, box_around, expected_overlaps_of_generators};
+use crate::numeric::linear::dot;
 use crate::zonotope::Zonotope;
 
 /// A box along the axes, by its least and its largest corner.
@@ -43,6 +44,38 @@ pub struct TurnedAxes {
     magnitudes: [[f64; 3]; 3],
 }
 
+impl TurnedAxes {
+    /// The path from the middle of a box of the first mesh to that of one of the second.
+    #[inline(always)]
+    fn apart(&self, first: &Aabb, second: &Aabb) -> [f64; 3] {
+        let (to, from) = (self.frame.image(&second.center()), first.center());
+        [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
+    }
+
+    /// The largest gap along the axes of the first mesh, which are the columns of the inverse rotation.
+    #[inline(always)]
+    fn gap_along_first(&self, apart: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+        let [p, q, r] = &self.magnitudes;
+        let gap = |i: usize| apart[i].abs() - a[i] - (p[i] * b[0] + q[i] * b[1] + r[i] * b[2]);
+        largest([gap(0), gap(1), gap(2)])
+    }
+
+    /// The largest gap along the axes of the second mesh, which are the rows of the inverse rotation.
+    #[inline(always)]
+    fn gap_along_second(&self, apart: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> f64 {
+        let seen = self.frame.turned_back(apart);
+        let gap = |i: usize| seen[i].abs() - b[i] - dot(&self.magnitudes[i], a);
+        largest([gap(0), gap(1), gap(2)])
+    }
+}
+
+/// The largest of three numbers, of which NaN is none.
+#[inline(always)]
+fn largest([a, b, c]: [f64; 3]) -> f64 {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    larger(larger(if a.is_nan() { f64::NEG_INFINITY } else { a }, b), c)
+}
+
 impl Shaped for Aabb {
     fn shape(&self) -> Zonotope<3> {
         let [a, b, c] = self.half();
@@ -76,19 +109,17 @@ impl BoundingVolume for Aabb {
     }
 
     #[inline]
-    fn gap(&self, other: &Self, TurnedAxes { frame, magnitudes }: &TurnedAxes) -> f64 {
-        let (a, b) = (self.half(), other.half().map(|c| c * frame.ratio));
-        let (to, from) = (frame.image(&other.center()), self.center());
-        let apart: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
-        let seen = frame.turned_back(&apart);
-        let mut gap = f64::NEG_INFINITY;
-        for i in 0..3 {
-            // rows of the inverse rotation are the axes of the second mesh, columns those of the first
-            let along_first = (0..3).map(|k| magnitudes[k][i] * b[k]).sum::<f64>();
-            let along_second = (0..3).map(|k| magnitudes[i][k] * a[k]).sum::<f64>();
-            gap = gap.max(apart[i].abs() - a[i] - along_first).max(seen[i].abs() - b[i] - along_second);
-        }
-        gap
+    fn gap(&self, other: &Self, turned: &TurnedAxes) -> f64 {
+        let [a, b] = [self.half(), other.half().map(|c| c * turned.frame.ratio)];
+        let apart = turned.apart(self, other);
+        turned.gap_along_first(&apart, &a, &b).max(turned.gap_along_second(&apart, &a, &b))
+    }
+
+    #[inline]
+    fn is_apart(&self, other: &Self, turned: &TurnedAxes, least: f64) -> bool {
+        let [a, b] = [self.half(), other.half().map(|c| c * turned.frame.ratio)];
+        let apart = turned.apart(self, other);
+        turned.gap_along_first(&apart, &a, &b) > least || turned.gap_along_second(&apart, &a, &b) > least
     }
 
     fn contains(&self, point: &[f64; 3]) -> bool {

@@ -216,6 +216,14 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
         })
     }
 
+    #[inline]
+    fn is_apart(&self, other: &Self, turned: &TurnedNormals, least: f64) -> bool {
+        dispatch!(level_for_few(), simd => {
+            let [ours, theirs] = [(self, 1.0), (other, turned.ratio)];
+            turned.first.gap(simd, ours, theirs) > least || turned.second.gap(simd, theirs, ours) > least
+        })
+    }
+
     fn contains(&self, point: &[f64; 3]) -> bool {
         let height = |normal: &[f64; 3]| {
             let [x, y, z] = [0, 1, 2].map(|k| Dyadic::from_f64(normal[k] * point[k]));

@@ -44,6 +44,11 @@ impl BoundingVolume for OrientedBox {
         self.0.gap(&other.0, frame)
     }
 
+    #[inline]
+    fn is_apart(&self, other: &Self, frame: &Frame, least: f64) -> bool {
+        self.0.is_apart(&other.0, frame, least)
+    }
+
     fn contains(&self, point: &[f64; 3]) -> bool {
         self.0.contains(point)
     }

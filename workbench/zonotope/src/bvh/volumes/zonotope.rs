@@ -2,8 +2,8 @@
 //!
 //! The directions span space, and every pair of them has its normal here, so the body is cut out by its normals however
 //! short a generator is. Beside the generators the body has a cube: the margin, which takes up all rounding of the fit.
-//! A test goes along the facet normals of both bodies, eight at a time; of three generators along the normals of pairs
-//! of edges of both as well, which makes the test complete.
+//! A test goes along the facet normals of both bodies, eight at a time; of three and four generators along the normals of
+//! pairs of edges of both as well where they do not overlap deeply, which makes the test nearly complete.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
@@ -22,11 +22,41 @@ const LARGEST_MARGIN: f64 = 0.01;
 /// Normals side by side.
 const LANES: usize = 8;
 
-/// Eight normals: their coordinates, and how far the generators reach along each.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// The most generators of bodies that are tested along the normals of pairs of edges, too: these fill two blocks.
+const MOST_GENERATORS_OF_EDGES: usize = 4;
+
+/// Bodies whose largest gap along facets is below the opposite of this share of the distance of their centres overlap so
+/// deeply that the normals of edges are not tried.
+const DEEP: f64 = 0.3;
+
+/// Eight normals: their coordinates, and how far the generators reach along each; without end where there is no normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Facets {
     normals: [[f64; LANES]; 3],
     reaches: [f64; LANES],
+}
+
+impl Facets {
+    const NONE: Self = Self { normals: [[0.0; LANES]; 3], reaches: [f64::INFINITY; LANES] };
+}
+
+/// The first generators of a body, the blocks of the normals of their pairs, and whether the normals of an edge of each
+/// of two such bodies are tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Used {
+    pub(super) generators: usize,
+    pub(super) blocks: usize,
+    pub(super) edges: bool,
+}
+
+impl Used {
+    /// The first vectors, turned; the others are zero.
+    #[inline(always)]
+    fn turned<const K: usize>(self, vectors: &[[f64; 3]; K], turn: impl Fn(&[f64; 3]) -> [f64; 3]) -> [[f64; 3]; K] {
+        let mut turned = [[0.0; 3]; K];
+        turned.iter_mut().zip(&vectors[..self.generators]).for_each(|(turned, vector)| *turned = turn(vector));
+        turned
+    }
 }
 
 /// A zonotope of K generators with room for 8 B facet normals, of which each pair of directions has one.
@@ -79,7 +109,7 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
             directions[k] = *direction;
             generators[k] = direction.map(|c| c * half);
         }
-        let mut facets = [Facets::default(); B];
+        let mut facets = [Facets::NONE; B];
         let pairs = (0..K).flat_map(|j| (0..j).map(move |i| (i, j)));
         let mut at = 0;
         for (i, j) in pairs {
@@ -96,6 +126,23 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         Self { center: fitted.center, directions, generators, margin, facets }
     }
 
+    /// All generators and normals.
+    const ALL: Used = Used { generators: K, blocks: B, edges: K <= MOST_GENERATORS_OF_EDGES };
+
+    /// The generators and the blocks of normals that are not zero; edges of three generators alone.
+    pub(super) fn used(&self) -> Used {
+        let generators = self.directions.iter().filter(|direction| **direction != [0.0; 3]).count();
+        let blocks = self.facets.iter().filter(|facets| **facets != Facets::NONE).count();
+        Used { generators, blocks, edges: generators == 3 }
+    }
+
+    /// The largest gap along the normals that are tried, of bodies of which so much is used, or one that is above
+    /// `enough`.
+    #[inline]
+    pub(super) fn gap_of_used(&self, other: &Self, frame: &Frame, used: [Used; 2], enough: f64) -> f64 {
+        dispatch!(level_for_few(), simd => self.gap_in_lanes(simd, other, frame, used, enough))
+    }
+
     /// The body with its margin as three generators along the axes.
     fn body(&self) -> Option<Body<3>> {
         let m = self.margin;
@@ -106,9 +153,16 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     /// The largest gap along the facet normals of one body: `apart` and the generators of the other one as seen from
     /// it, reaches times `ratio`.
     #[inline(always)]
-    fn gap_along_facets<S: Simd>(&self, simd: S, apart: &[f64; 3], others: &[[f64; 3]; K], ratio: f64) -> f64 {
+    fn gap_along_facets<S: Simd>(
+        &self,
+        simd: S,
+        blocks: usize,
+        apart: &[f64; 3],
+        others: &[[f64; 3]],
+        ratio: f64,
+    ) -> f64 {
         let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
-        for facets in &self.facets {
+        for facets in &self.facets[..blocks] {
             let [x, y, z] = [0, 1, 2].map(|axis| f64x8::from_slice(simd, &facets.normals[axis]));
             let mut gap = (x * apart[0] + y * apart[1] + z * apart[2]).abs();
             gap -= f64x8::from_slice(simd, &facets.reaches) * ratio;
@@ -125,23 +179,22 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     fn gap_along_edges<S: Simd>(
         &self,
         simd: S,
+        count: usize,
         apart: &[f64; 3],
-        edges: &[[f64; 3]; K],
-        others: &[[f64; 3]; K],
+        edges: &[[f64; 3]],
+        others: &[[f64; 3]],
     ) -> f64 {
         let mut normals = [[0.0; 2 * LANES]; 3];
-        for i in 0..3 {
-            for j in 0..3 {
-                let normal = cross(&self.directions[i], &edges[j]);
-                (0..3).for_each(|axis| normals[axis][3 * i + j] = normal[axis]);
-            }
+        let pairs = self.directions[..count].iter().flat_map(|own| edges.iter().map(move |edge| cross(own, edge)));
+        for (place, normal) in pairs.take(2 * LANES).enumerate() {
+            (0..3).for_each(|axis| normals[axis][place] = normal[axis]);
         }
         let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
         for block in 0..2 {
             let from = block * LANES;
             let [x, y, z] = [0, 1, 2].map(|axis| f64x8::from_slice(simd, &normals[axis][from..from + LANES]));
             let mut gap = (x * apart[0] + y * apart[1] + z * apart[2]).abs();
-            for g in self.generators.iter().chain(others) {
+            for g in self.generators[..count].iter().chain(others) {
                 gap -= (x * g[0] + y * g[1] + z * g[2]).abs();
             }
             largest = largest.max(gap);
@@ -149,24 +202,33 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         largest_of(&largest)
     }
 
+    /// The largest gap of two bodies along the normals that are tried, or one that is above `enough`.
     #[inline(always)]
-    fn gap_in_lanes<S: Simd>(&self, simd: S, other: &Self, frame: &Frame) -> f64 {
+    fn gap_in_lanes<S: Simd>(&self, simd: S, other: &Self, frame: &Frame, used: [Used; 2], enough: f64) -> f64 {
+        let [own, others] = used;
         let image = frame.image(&other.center);
         let apart = std::array::from_fn(|k| image[k] - self.center[k]);
-        let theirs = other.generators.map(|g| frame.turned(&g));
-        let mut gap = self.gap_along_facets(simd, &apart, &theirs, 1.0);
-        let ours = self.generators.map(|g| frame.turned_back(&g));
-        gap = gap.max(other.gap_along_facets(simd, &frame.turned_back(&apart), &ours, frame.ratio));
-        let margins = 2.0 * (self.margin + other.margin);
-        if K == 3 && gap <= margins {
-            let edges = other.directions.map(|d| {
-                let [a, b, c] = &frame.inverse_rotation;
-                [0, 1, 2].map(|k| a[k] * d[0] + b[k] * d[1] + c[k] * d[2])
-            });
-            gap = gap.max(self.gap_along_edges(simd, &apart, &edges, &theirs));
-        }
         // a cube of half-length m reaches at most √3 m along a unit vector
-        gap - margins
+        let margins = 2.0 * (self.margin + other.margin);
+        let theirs = others.turned(&other.generators, |g| frame.turned(g));
+        let theirs = &theirs[..others.generators];
+        let gap = self.gap_along_facets(simd, own.blocks, &apart, theirs, 1.0);
+        if gap - margins > enough {
+            return gap - margins;
+        }
+        let ours = own.turned(&self.generators, |g| frame.turned_back(g));
+        let (ours, turned) = (&ours[..own.generators], frame.turned_back(&apart));
+        let gap = gap.max(other.gap_along_facets(simd, others.blocks, &turned, ours, frame.ratio));
+        let is_shallow = gap > 0.0 || gap * gap <= DEEP * DEEP * dot(&apart, &apart);
+        if !(own.edges && others.edges && gap <= margins && is_shallow) {
+            return gap - margins;
+        }
+        let edges = others.turned(&other.directions, |d| {
+            let [a, b, c] = &frame.inverse_rotation;
+            [0, 1, 2].map(|k| a[k] * d[0] + b[k] * d[1] + c[k] * d[2])
+        });
+        let edges = &edges[..others.generators];
+        gap.max(self.gap_along_edges(simd, own.generators, &apart, edges, theirs)) - margins
     }
 }
 
@@ -218,7 +280,12 @@ impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
 
     #[inline]
     fn gap(&self, other: &Self, frame: &Frame) -> f64 {
-        dispatch!(level_for_few(), simd => self.gap_in_lanes(simd, other, frame))
+        self.gap_of_used(other, frame, [Self::ALL; 2], f64::INFINITY)
+    }
+
+    #[inline]
+    fn is_apart(&self, other: &Self, frame: &Frame, least: f64) -> bool {
+        self.gap_of_used(other, frame, [Self::ALL; 2], least) > least
     }
 
     fn contains(&self, point: &[f64; 3]) -> bool {

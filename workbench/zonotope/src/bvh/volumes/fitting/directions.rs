@@ -41,6 +41,34 @@ pub(super) fn search(points: &[[f64; 3]], start: Covering, count: usize, effort:
     improve(points, descend(points, best, STEPS), count, effort)
 }
 
+/// A zonotope of at most `most` generators that is no worse than a box, of as many generators as the predicted cost of
+/// a question is least with: `cost_of_test` tells that of a test of a node with so many.
+///
+/// The number is chosen among the coverings that a dictionary leaves, before any descent: a descent from each of them
+/// would take as long as the fits of all these numbers.
+pub(super) fn search_by_cost(
+    points: &[[f64; 3]],
+    start: Covering,
+    most: usize,
+    cost_of_test: impl Fn(usize) -> f64,
+    effort: usize,
+) -> Covering {
+    // as many tests go on below a pair of nodes as the pair is expected to overlap, and as its parents are
+    let cost = |covering: &Covering| covering.value().powi(2) * cost_of_test(covering.directions.len());
+    let mut best = start;
+    if points.len() >= FEWEST_POINTS {
+        let mut next = from_dictionary(points, &best.directions, most);
+        while let Some(found) = next.filter(|found| found.directions.len() > 3) {
+            next = without_one(points, &found);
+            if cost(&found) < cost(&best) {
+                best = found;
+            }
+        }
+    }
+    let count = best.directions.len();
+    improve(points, descend(points, best, STEPS), count, effort)
+}
+
 /// The axes of a box with the diagonals of its faces, and the most frequent directions between nearest points, mostly
 /// those of edges of the hull.
 fn dictionary(points: &[[f64; 3]], axes: &[[f64; 3]]) -> Vec<[f64; 3]> {
@@ -73,13 +101,18 @@ fn from_dictionary(points: &[[f64; 3]], axes: &[[f64; 3]], count: usize) -> Opti
     let mut found = Covering::along(Aim::EXPECTED_OVERLAPS, points, &dictionary(points, axes))?;
     found = without_unused(points, &found, count).unwrap_or(found);
     while found.directions.len() > count {
-        let weights = found.weights();
-        let share = |k: usize| found.half_lengths[k] * weights[k];
-        let mut order: Vec<usize> = (0..weights.len()).collect();
-        order.sort_by(|&i, &j| share(i).total_cmp(&share(j)));
-        found = order.into_iter().find_map(|dropped| with_some(points, &found, |k| k != dropped))?;
+        found = without_one(points, &found)?;
     }
     Some(found)
+}
+
+/// The covering without the direction that costs least, or the next one whose others span space.
+fn without_one(points: &[[f64; 3]], covering: &Covering) -> Option<Covering> {
+    let weights = covering.weights();
+    let share = |k: usize| covering.half_lengths[k] * weights[k];
+    let mut order: Vec<usize> = (0..weights.len()).collect();
+    order.sort_by(|&i, &j| share(i).total_cmp(&share(j)));
+    order.into_iter().find_map(|dropped| with_some(points, covering, |k| k != dropped))
 }
 
 /// The covering along those of its directions that `is_kept` keeps.

@@ -91,6 +91,19 @@ pub(super) fn fit(points: &[[f64; 3]], count: usize, effort: usize) -> Fitted {
     local.fitted(directions::search(&local.points, start, count, effort))
 }
 
+/// A zonotope of at most `most` generators, no worse than the box, of the least predicted cost: `cost_of_test` tells
+/// that of a test of a node with so many generators.
+pub(super) fn fit_by_cost(
+    points: &[[f64; 3]],
+    most: usize,
+    cost_of_test: impl Fn(usize) -> f64,
+    effort: usize,
+) -> Fitted {
+    let local = Local::new(points);
+    let start = boxes::search(&local.points);
+    local.fitted(directions::search_by_cost(&local.points, start, most, cost_of_test, effort))
+}
+
 /// A zonotope along given directions, zero ones left out; the box along the axes where they do not serve.
 pub(super) fn refit(points: &[[f64; 3]], directions: &[[f64; 3]]) -> Fitted {
     let local = Local::new(points);

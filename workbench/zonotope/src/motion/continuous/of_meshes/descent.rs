@@ -81,11 +81,16 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
 
     fn answer(mut self) -> MeshContact {
         let in_order = |a: &Event, b: &Event| a.time[0].total_cmp(&b.time[0]).then(b.is_contact.cmp(&a.is_contact));
-        let earliest = self.events.iter().copied().min_by(in_order);
-        let Some(Event { time, triangles, is_contact }) = earliest else {
+        let Some(earliest) = self.events.iter().copied().min_by(in_order) else {
             return MeshContact::Separate { free: self.free };
         };
-        self.free.retain(|pair| pair.stretch.from < time[0]);
+        // neighbouring triangles share the edge that meets first: one pair may prove what another leaves in doubt
+        let begin = earliest.time[0];
+        let is_near = |event: &&Event| event.is_contact && event.time[1] - begin <= self.resolution;
+        let proved = self.events.iter().filter(is_near).min_by(|a, b| in_order(a, b));
+        let decided = proved.map(|event| Event { time: [begin, event.time[1]], ..*event });
+        let Event { time, triangles, is_contact } = decided.unwrap_or(earliest);
+        self.free.retain(|pair| pair.stretch.from < begin);
         match is_contact {
             true => MeshContact::Contact { free: self.free, time, triangles },
             false => MeshContact::Grazing { free: self.free, time, triangles },
@@ -183,8 +188,11 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         meet(self.parts.each_ref(), triangles, &arcs, end)
     }
 
+    /// Keeps an event. After a contact nothing matters, and after a doubt what is farther off than the resolution.
     fn note(&mut self, event: Event) {
-        self.limit = self.limit.min(event.time[1]);
+        let [from, until] = event.time;
+        let limit = if event.is_contact { until } else { until.max(from + self.resolution) };
+        self.limit = self.limit.min(limit);
         self.events.push(event);
     }
 

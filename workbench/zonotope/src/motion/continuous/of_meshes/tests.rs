@@ -7,6 +7,7 @@ use crate::bvh::{Aabb, BoundingVolume, Bvh, Dop18, Mesh, OrientedBox, Sphere, Zo
 use crate::motion::{Motion, MotionPiece};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
+use crate::property_cases;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -117,6 +118,24 @@ fn random_motions_are_proved_pair_by_pair() {
         cases[usize::from(matches!(found, MeshContact::Contact { .. }))] += 1;
     }
     assert!(cases.iter().all(|count| *count > 0), "{cases:?}");
+}
+
+/// Neighbouring triangles share the edge or the corner that meets first: none of them may hide that the others meet.
+#[test]
+fn a_doubt_about_one_pair_does_not_hide_the_contact_of_another() {
+    let meshes = [surface(8, 12, 1.0), surface(7, 10, 0.8)];
+    let hierarchies = meshes.each_ref().map(Bvh::<OrientedBox>::build);
+    let mut rng = Pcg64::seed_from_u64(7);
+    let mut cases = [0; 3];
+    for _ in 0..property_cases::config(60).cases {
+        let mut parts = [0, 1].map(|_| random_parts(&mut rng, 1));
+        let away = [0, 1, 2].map(|_| rng.random_range(-4.0..4.0));
+        parts[1].iter_mut().for_each(|part| part.axis_point = away);
+        let motions = parts.map(|parts| Motion::from_pieces(&parts).expect("the parts are a motion"));
+        let found = first_contact(hierarchies.each_ref(), motions.each_ref()).expect("the motions are rational");
+        cases[["separate", "contact", "grazing"].iter().position(|name| *name == found.name()).expect("a case")] += 1;
+    }
+    assert!(cases[1] > 0 && cases[2] == 0, "{cases:?}");
 }
 
 fn piece(to: [f64; 4], axis_point: [f64; 3], translation: [f64; 3]) -> MotionPiece {
