@@ -54,7 +54,7 @@ impl Entry {
     }
 }
 
-/// What is built, and the milliseconds that it took.
+/// The contender that is built, and the milliseconds that it took.
 fn timed<T>(build: &impl Fn() -> anyhow::Result<T>) -> anyhow::Result<(T, f64)> {
     let start = Instant::now();
     let built = build()?;

@@ -41,7 +41,7 @@ const LONGEST: f64 = 45.0;
 const COLUMNS: &str = "mesh,turn,method,case,motions,p50_us,p90_us,nodes_p50,static_nodes_p50,nodes_ratio_p50,\
     nodes_ratio_p90,time_ratio_p50,time_ratio_p90";
 
-/// What the casts of a mesh and greatest turn come to.
+/// The findings of the casts of a mesh and greatest turn.
 #[derive(Default)]
 struct Casts {
     /// Microseconds of those without a contact and with one.

@@ -23,7 +23,7 @@ const LONGEST: f64 = 0.1;
 /// Poses of each placing of the scene: those apart, and the overlapping one.
 const PLACES: usize = 5;
 
-/// What is measured of a contender in a case.
+/// The measurements of a contender in a case.
 struct Measured {
     microseconds: f64,
     /// Poses of which it is told wrongly whether the copies meet.

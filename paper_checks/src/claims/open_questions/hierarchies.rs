@@ -16,8 +16,8 @@ pub static CLAIM: Claim = Claim {
     remedy: Some(
         "a tree over the triangles by the surface area heuristic; for each node few generators of which the expected \
             number of overlaps with its like, V1 V2 + 2 V3 in intrinsic volumes, is little: directions from a \
-            dictionary, then a descent by linear programs. A test goes along the facet normals of both nodes. That \
-            these are the best hierarchies is not shown",
+            dictionary, then a descent by linear programs. A test goes along the facet normals of both nodes, of up \
+            to four generators along the normals of edges, too. That these are the best hierarchies is not shown",
     ),
     code: &["zonotope::bvh", "zonotope::bvh::volumes::zonotope"],
     figures: &["mesh-in-hierarchy", "mesh-node-tests", "mesh-cost-against-fit"],

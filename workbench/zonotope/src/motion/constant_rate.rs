@@ -1,9 +1,9 @@
 //! A rotation at constant rate, which rational placements are near: on an arc the quaternion goes linearly between two
 //! rational ones, and a bound says how far the angle is off.
 //!
-//! Where this rotation is all that moves, the placements alone count, and not the time of each. Those of an arc are
-//! then exact: about one axis it turns through every angle between its ends, and ends that are moved outwards by more
-//! than their rounding contain those of the motion.
+//! An arc is exact where this rotation is all that moves, so that its placements alone count, and not the time of each:
+//! about one axis it turns through every angle between its ends, and ends that are moved outwards by more than their
+//! rounding contain those of the motion.
 //!
 //! Let θ be the angle of an arc and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
 //! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, as each term is at

@@ -2,8 +2,8 @@
 //!
 //! The directions span space, and every pair of them has its normal here, so the body is cut out by its normals however
 //! short a generator is. Beside the generators the body has a cube: the margin, which takes up all rounding of the fit.
-//! A test goes along the facet normals of both bodies, eight at a time; of three and four generators along the normals of
-//! pairs of edges of both as well where they do not overlap deeply, which makes the test nearly complete.
+//! A test goes along the facet normals of both bodies, eight at a time; of three and four generators along the normals
+//! of pairs of edges of both as well where they do not overlap deeply, which makes the test nearly complete.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
@@ -25,8 +25,8 @@ const LANES: usize = 8;
 /// The most generators of bodies that are tested along the normals of pairs of edges, too: these fill two blocks.
 const MOST_GENERATORS_OF_EDGES: usize = 4;
 
-/// Bodies whose largest gap along facets is below the opposite of this share of the distance of their centres overlap so
-/// deeply that the normals of edges are not tried.
+/// Bodies whose largest gap along facets is below the opposite of this share of the distance of their centres overlap
+/// so deeply that the normals of edges are not tried.
 const DEEP: f64 = 0.3;
 
 /// Eight normals: their coordinates, and how far the generators reach along each; without end where there is no normal.

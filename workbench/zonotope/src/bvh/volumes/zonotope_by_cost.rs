@@ -11,7 +11,7 @@ use crate::bvh::volume::BoundingVolume;
 use crate::zonotope::Zonotope as Body;
 
 /// The most generators of a node: the normals of more fill a third block.
-const MOST: usize = 6;
+const MOST_GENERATORS: usize = 6;
 
 /// Weights of a test of two nodes of three, four, five and six generators, in terms of the first.
 ///
@@ -22,12 +22,12 @@ const COSTS_OF_TESTS: [f64; 4] = [1.0, 1.2, 1.2, 1.3];
 /// A zonotope of at most six generators, whose number is chosen by cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonotopeByCost {
-    body: Zonotope<MOST, 2>,
+    body: Zonotope<MOST_GENERATORS, 2>,
     used: Used,
 }
 
 impl ZonotopeByCost {
-    fn of(body: Zonotope<MOST, 2>) -> Self {
+    fn of(body: Zonotope<MOST_GENERATORS, 2>) -> Self {
         Self { used: body.used(), body }
     }
 
@@ -53,8 +53,8 @@ impl BoundingVolume for ZonotopeByCost {
     type Turned = Frame;
 
     fn around(points: &[[f64; 3]], effort: usize) -> Self {
-        let cost = |generators: usize| COSTS_OF_TESTS[generators.clamp(3, MOST) - 3];
-        Self::of(Zonotope::of_fit(&fit_by_cost(points, MOST, cost, effort), points))
+        let cost = |generators: usize| COSTS_OF_TESTS[generators.clamp(3, MOST_GENERATORS) - 3];
+        Self::of(Zonotope::of_fit(&fit_by_cost(points, MOST_GENERATORS, cost, effort), points))
     }
 
     fn refitted(&self, points: &[[f64; 3]]) -> Self {
@@ -109,6 +109,6 @@ mod tests {
                 [radius * libm::cos(angle), radius * libm::sin(angle), 0.5 * z]
             })
             .collect();
-        assert!((4..=MOST).contains(&count_around(&round)), "{}", count_around(&round));
+        assert!((4..=MOST_GENERATORS).contains(&count_around(&round)), "{}", count_around(&round));
     }
 }
