@@ -44,8 +44,8 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     /// what [`Frame::slack`] bounds: a gap above it proves that the volumes are disjoint, and how far apart at least.
     fn gap(&self, other: &Self, turned: &Self::Turned) -> f64;
 
-    /// Whether the gap is above a number: the same as by [`gap`](Self::gap), where no more directions are tried than it
-    /// takes.
+    /// Whether the gap is above a number: the answer of [`gap`](Self::gap), which a volume may give with fewer
+    /// directions.
     fn is_apart(&self, other: &Self, turned: &Self::Turned, least: f64) -> bool {
         self.gap(other, turned) > least
     }

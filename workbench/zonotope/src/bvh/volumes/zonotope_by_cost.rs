@@ -15,8 +15,8 @@ const MOST_GENERATORS: usize = 6;
 
 /// Weights of a test of two nodes of three, four, five and six generators, in terms of the first.
 ///
-/// They are more than the times of the tests, of which the last takes some tenth longer than the first: pairs of leaves
-/// are tested whatever the bodies above them, and the nearer two meshes are, the less is won by tighter bodies.
+/// They grow faster than the times of the tests: triangles are tested whatever the bodies around them, and the nearer
+/// two meshes are, the less is won by tighter bodies.
 const COSTS_OF_TESTS: [f64; 4] = [1.0, 1.2, 1.2, 1.3];
 
 /// A zonotope of at most six generators, whose number is chosen by cost.

@@ -53,7 +53,7 @@ pub(super) fn search_by_cost(
     cost_of_test: impl Fn(usize) -> f64,
     effort: usize,
 ) -> Covering {
-    // as many tests go on below a pair of nodes as the pair is expected to overlap, and as its parents are
+    // the square, as a pair of nodes is tested where its parents overlap, whose volumes are fitted in the same way
     let cost = |covering: &Covering| covering.value().powi(2) * cost_of_test(covering.directions.len());
     let mut best = start;
     if points.len() >= FEWEST_POINTS {
