@@ -56,13 +56,15 @@ pub const FOCUS: Color = Color::new(0xe6, 0x9f, 0x00);
 const SKY: Color = Color::new(0x56, 0xb4, 0xe9);
 /// A dark yellow beside the others.
 const OLIVE: Color = Color::new(0x8a, 0x6d, 0x00);
+/// A dark brown beside the others.
+const BROWN: Color = Color::new(0x6e, 0x3b, 0x1f);
 
 /// The colours of the series of a plot, in order of use, where series are no methods.
 pub const SERIES: [Color; 6] = [INPUT, REFLECTED, ENCLOSING, OPTIMUM, SKY, OLIVE];
 
 /// The colours of methods: a method has the same one in every plot. Where methods are compared, blue is the one that is
 /// used by default, orange the paper's own, green the next exact one; other colours are for the rest.
-const METHODS: [(&str, Color); 49] = [
+const METHODS: [(&str, Color); 50] = [
     ("by_pruning", INPUT),
     ("by_control_points", INPUT),
     ("by_lad", INPUT),
@@ -103,6 +105,7 @@ const METHODS: [(&str, Color); 49] = [
     ("microlp", OLIVE),
     ("scott", OLIVE),
     ("adaptive", GREY),
+    ("zonotope_by_cost", BROWN),
     ("zonotope_6", INPUT),
     ("zonotope_5", REFLECTED),
     ("zonotope_4", ENCLOSING),

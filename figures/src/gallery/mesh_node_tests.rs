@@ -22,13 +22,14 @@ pub const FIGURE: Figure = Figure {
 };
 
 /// The volumes, with their names in the legend.
-const SHOWN: [(&str, &str); 7] = [
+const SHOWN: [(&str, &str); 8] = [
     ("aabb", "boxes along the axes"),
     ("dop_26", "polytopes of 26 normals"),
     ("zonotope_3", "zonotopes, K = 3"),
     ("zonotope_4", "zonotopes, K = 4"),
     ("zonotope_5", "zonotopes, K = 5"),
     ("zonotope_6", "zonotopes, K = 6"),
+    ("zonotope_by_cost", "zonotopes, K by cost"),
     ("sphere", "spheres"),
 ];
 
