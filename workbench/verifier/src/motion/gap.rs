@@ -166,7 +166,8 @@ pub(super) fn displacement([first, second]: [&Solid; 2], [a, b]: [&Stretch; 2]) 
 }
 
 /// The bound from above of how much less the gap along a direction may be where the motion puts the bodies, in units of
-/// 2^-[`MARGIN_PLACES`], where its stretches are off by angles.
+/// 2^-[`MARGIN_PLACES`], where its stretches are off by angles. A direction turns as the stretch does here, so that the
+/// points alone are off; the library lets it turn as the motion does (its `motion/continuous/parts/margin`).
 fn margin(bodies: [&Solid; 2], stretches: [&Stretch; 2], direction: &Direction, angles: [IBig; 2]) -> IBig {
     let of_body = |i: usize| {
         let off = angles[i].clone();

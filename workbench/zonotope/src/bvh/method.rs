@@ -39,7 +39,7 @@ methods! {
     /// [`Zonotope8`].
     Zonotope8 => "zonotope_8", "Zonotopes of at most eight generators", "56 directions";
     /// [`ZonotopeByCost`].
-    ZonotopeByCost => "zonotope_by_cost", "Zonotopes of three to six generators, by cost", "15 to 30 directions";
+    ZonotopeByCost => "zonotope_by_cost", "Zonotopes of three to six generators, by cost", "9 to 30 directions";
 }
 
 /// Calls a function with the type of a method's volume.

@@ -27,7 +27,7 @@ mod hierarchy;
 mod mesh;
 mod method;
 pub mod nearest;
-mod question;
+pub(crate) mod question;
 mod refit;
 #[cfg(test)]
 mod tests;

@@ -22,7 +22,7 @@ struct Side<'a, V: Clone> {
 }
 
 /// Two hierarchies in a common frame, that of the one with the larger unit.
-pub(super) struct Question<'a, V: BoundingVolume> {
+pub(crate) struct Question<'a, V: BoundingVolume> {
     sides: [Side<'a, V>; 2],
     /// Whether the second mesh of the caller comes first.
     is_swapped: bool,
@@ -35,7 +35,7 @@ pub(super) struct Question<'a, V: BoundingVolume> {
 impl<'a, V: BoundingVolume> Question<'a, V> {
     /// The question about two hierarchies under poses. O(1) for rotations; of poses that shear, scale or flatten, both
     /// are fitted anew where they stand.
-    pub(super) fn new(first: PlacedBvh<'a, V>, second: PlacedBvh<'a, V>) -> Self {
+    pub(crate) fn new(first: PlacedBvh<'a, V>, second: PlacedBvh<'a, V>) -> Self {
         let is_swapped = first.hierarchy().exponent < second.hierarchy().exponent;
         let placed = if is_swapped { [second, first] } else { [first, second] };
         let meshes = placed.map(|placed| placed.mesh());
@@ -62,15 +62,16 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
         first.volumes[a].gap(&second.volumes[b], &self.turned) - self.frame.slack
     }
 
-    /// Whether two nodes are proved disjoint.
+    /// Whether two nodes are proved disjoint, in the order of the frame.
     #[inline]
-    pub(super) fn are_apart(&self, [a, b]: [usize; 2]) -> bool {
+    pub(crate) fn are_apart(&self, [a, b]: [usize; 2]) -> bool {
         let [first, second] = self.hierarchies();
         first.volumes[a].is_apart(&second.volumes[b], &self.turned, self.frame.slack)
     }
 
-    /// A pair of triangles in the order of the caller.
-    pub(super) fn ordered(&self, [i, j]: [usize; 2]) -> [usize; 2] {
+    /// A pair of triangles in the order of the caller, or of nodes in that of the frame.
+    #[inline]
+    pub(crate) fn ordered(&self, [i, j]: [usize; 2]) -> [usize; 2] {
         if self.is_swapped { [j, i] } else { [i, j] }
     }
 

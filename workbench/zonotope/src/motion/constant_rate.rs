@@ -18,6 +18,7 @@ use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact};
 use crate::numeric::linear::{cross, euclidean_norm, norm_of_any_size, sum_norm};
+use crate::numeric::scaling::scaled_exactly;
 use crate::numeric::tolerance::{ANGLE_ROUNDING, ANGLE_ROUNDING_OF_A_TURN, CHORD_OF_A_LINEAR_QUATERNION, UNIT};
 use crate::zonotope::Zonotope;
 
@@ -27,14 +28,14 @@ pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 /// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
 const LARGEST_QUARTER: f64 = 0.7;
 
-/// Whether an arc must have each placement at its time. A question about two bodies in motion asks for `Free` where
-/// one of them only turns and the other rests, every question about one time for `Kept`.
+/// Whether an arc must have each placement at its time. A question about two bodies in motion asks for `Untimed` where
+/// one of them only turns and the other rests, every question about one time for `Timed`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Clock {
+pub(super) enum Timing {
     /// Each placement is that of the motion at the same time, but for a bound.
-    Kept,
+    Timed,
     /// The placements of the motion are among those of the arc, each at any time.
-    Free,
+    Untimed,
 }
 
 /// The motion x ↦ p + R(t · angle) (x − p) + t · translation for t in [0, 1], R about an axis of any length.
@@ -65,13 +66,8 @@ impl ConstantRate {
 
     /// The same motion with all lengths times a power of two; `None` where they leave the range of doubles.
     pub(super) fn scaled(&self, exponent: i64) -> Option<Self> {
-        let exactly = |c: f64| {
-            let scaled = Dyadic::from_f64(c).scaled(exponent);
-            let value = scaled.to_f64();
-            (value.is_finite() && Dyadic::from_f64(value) == scaled).then_some(value)
-        };
-        let vector = |v: &[f64; 3]| Some([exactly(v[0])?, exactly(v[1])?, exactly(v[2])?]);
-        Some(Self { axis_point: vector(&self.axis_point)?, translation: vector(&self.translation)?, ..self.clone() })
+        let [axis_point, translation] = [&self.axis_point, &self.translation].map(|v| scaled_exactly(v, exponent));
+        Some(Self { axis_point: axis_point?, translation: translation?, ..self.clone() })
     }
 
     /// The binary exponent of the largest length; `None` where all are zero.
@@ -104,18 +100,18 @@ impl ConstantRate {
     }
 
     /// The arc between two times, exactly; its quaternions are near those of the motion.
-    pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
-        self.between(times, clock, &self.axis)
+    pub(super) fn exact_arc(&self, times: [f64; 2], timing: Timing) -> Arc<Dyadic> {
+        self.between(times, timing, &self.axis)
     }
 
     /// The same arc in doubles.
-    pub(super) fn arc(&self, times: [f64; 2], clock: Clock) -> Arc<Bounded> {
-        self.between(times, clock, &self.bounded_axis)
+    pub(super) fn arc(&self, times: [f64; 2], timing: Timing) -> Arc<Bounded> {
+        self.between(times, timing, &self.bounded_axis)
     }
 
     /// The same in doubles without bounds.
-    pub(super) fn rounded_arc(&self, times: [f64; 2], clock: Clock) -> Arc<f64> {
-        self.between(times, clock, &self.bounded_axis.map(|c| c.value))
+    pub(super) fn rounded_arc(&self, times: [f64; 2], timing: Timing) -> Arc<f64> {
+        self.between(times, timing, &self.bounded_axis.map(|c| c.value))
     }
 
     /// A bound of the angle between a placement of the motion and that of the arc at the same time.
@@ -133,15 +129,15 @@ impl ConstantRate {
     }
 
     /// A bound above the distance of a body's points from the axis.
-    pub(super) fn reach(&self, body: &Zonotope<3>) -> f64 {
+    pub(super) fn distance_from_axis(&self, body: &Zonotope<3>) -> f64 {
         let unit = self.unit_axis();
         let off_axis = |v: [f64; 3]| norm_of_any_size(&cross(&unit, &v));
         let center = [0, 1, 2].map(|k| body.center()[k] - self.axis_point[k]);
-        let reach = body.generators().iter().fold(off_axis(center), |sum, g| sum + off_axis(*g));
+        let distance = body.generators().iter().fold(off_axis(center), |sum, g| sum + off_axis(*g));
         // a product with the unit vector is off by a few roundings of the whole length, or of the smallest doubles
         let size = body.generators().iter().fold(norm_of_any_size(&center), |sum, g| sum + norm_of_any_size(g));
         let terms = (body.generators().len() + 16) as f64;
-        (reach + terms * 4.0 * (UNIT * size + f64::from_bits(1))).next_up()
+        (distance + terms * 4.0 * (UNIT * size + f64::from_bits(1))).next_up()
     }
 
     /// A bound of the angle by which an end of an arc is off.
@@ -149,13 +145,13 @@ impl ConstantRate {
         ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs()
     }
 
-    /// The arc between two times that go up: with [`Clock::Free`] the first end is moved back and the last one on.
-    fn between<T: Scalar>(&self, times: [f64; 2], clock: Clock, axis: &[T; 3]) -> Arc<T> {
-        let outwards = match clock {
+    /// The arc between two times that go up: with [`Timing::Untimed`] the first end is moved back and the last one on.
+    fn between<T: Scalar>(&self, times: [f64; 2], timing: Timing, axis: &[T; 3]) -> Arc<T> {
+        let outwards = match timing {
             // `half` is half an angle, so that the angle moves by twice the bound of its rounding
-            Clock::Free if self.angle != 0.0 => self.rounding().copysign(self.angle),
+            Timing::Untimed if self.angle != 0.0 => self.rounding().copysign(self.angle),
             // no turn is not rounded
-            Clock::Free | Clock::Kept => 0.0,
+            Timing::Untimed | Timing::Timed => 0.0,
         };
         let turned = |(t, outwards): (f64, f64)| {
             let half = self.angle * t / 2.0 + outwards;
@@ -194,8 +190,8 @@ mod tests {
     fn a_turn_by_no_angle_leaves_a_body_where_it_is() {
         for angle in [0.0, -0.0] {
             let motion = ConstantRate::new([100.0, 0.0, 0.0], [0.0, 1.0, 0.0], angle, [0.0; 3]);
-            for clock in [Clock::Kept, Clock::Free] {
-                assert_eq!(motion.rounded_arc([0.25, 1.0], clock).turns, [[1.0, 0.0, 0.0, 0.0]; 2], "{clock:?}");
+            for timing in [Timing::Timed, Timing::Untimed] {
+                assert_eq!(motion.rounded_arc([0.25, 1.0], timing).turns, [[1.0, 0.0, 0.0, 0.0]; 2], "{timing:?}");
             }
         }
     }

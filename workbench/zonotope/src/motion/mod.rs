@@ -20,8 +20,8 @@
 //!
 //! The files are read in this order: `scalar`, `bernstein`, `quaternion`, `arc`, `piece`, `sweep`, `constant_rate`,
 //! `path`. Everything else asks a motion for arcs, in three kinds of numbers: exact ones (`exact_arc`), doubles with
-//! bounds (`arc`) and doubles for guesses (`rounded_arc`); for how far an arc is off the motion (`angle_off`, `reach`,
-//! `unit_axis`); and for where time is to be cut (`breaks`, `quarter_turns`, `is_one_stretch`).
+//! bounds (`arc`) and doubles for guesses (`rounded_arc`); for how far an arc is off the motion (`angle_off`,
+//! `distance_from_axis`, `unit_axis`); and for where time is to be cut (`breaks`, `quarter_turns`, `is_one_stretch`).
 //!
 //! A *part* is what a caller states, a *piece* is that part as the library keeps it, an *arc* is the motion of one body
 //! between two times of one piece, and a *stretch* is a span of time with the arcs of both bodies.
@@ -30,7 +30,7 @@
 //! A motion whose quaternion goes linearly in the time between rational ones is a constructor in `path` that makes
 //! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other
 //! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational and near it, and
-//! `as_sweep` gives a sweep around it. `angle_off` and `reach` bound how far its arcs are off by an angle about one
+//! `as_sweep` gives a sweep around it. `angle_off` and `distance_from_axis` bound how far its arcs are off by an angle about one
 //! axis, which is all that `continuous/parts/margin` subtracts: a motion whose base is off, too, as one that is thrown,
 //! needs a bound of its own there and a volume that holds more than its sweep. What a question states is read in the
 //! crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier (`motion/path`), whose

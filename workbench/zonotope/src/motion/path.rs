@@ -3,10 +3,10 @@
 use thiserror::Error;
 
 use super::arc::Arc;
-use super::constant_rate::{Clock, ConstantRate, LARGEST_ANGLE};
+use super::constant_rate::{ConstantRate, LARGEST_ANGLE, Timing};
 use super::piece::{Piece, Standing, scale_down};
 use super::quaternion::polar_rotation;
-use super::sweep::Sweep;
+use super::sweep::{Sweep, check_finite};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::exact;
@@ -129,10 +129,7 @@ impl Motion {
         angle: f64,
         translation: [f64; 3],
     ) -> Result<Self, MotionError> {
-        NonFinite::check_vector("the axis point", &axis_point)?;
-        NonFinite::check_vector("the axis", &axis)?;
-        NonFinite::check_vector("the angle", &[angle])?;
-        NonFinite::check_vector("the translation", &translation)?;
+        check_finite(axis_point, axis, angle, translation)?;
         if axis == [0.0; 3] {
             return Err(MotionError::ZeroAxis);
         }
@@ -210,12 +207,12 @@ impl Motion {
         if !(0.0..=1.0).contains(&time) {
             return None;
         }
-        let arc = self.rounded_arc([time, time], Clock::Kept);
+        let arc = self.rounded_arc([time, time], Timing::Timed);
         let turn = match &arc.turns[0] {
             turn if MODERATE_SIZES.contains(&dot(turn, turn)) => *turn,
             // one whose square leaves the doubles, times a power of two
             _ => {
-                let [mut turn, _] = self.exact_arc([time, time], Clock::Kept).turns;
+                let [mut turn, _] = self.exact_arc([time, time], Timing::Timed).turns;
                 scale_down(&mut turn);
                 turn.each_ref().map(Dyadic::to_f64)
             }
@@ -302,26 +299,26 @@ impl Motion {
     }
 
     /// The motion between two times within one arc, exactly; for constant rate a motion near it.
-    pub(super) fn exact_arc(&self, times: [f64; 2], clock: Clock) -> Arc<Dyadic> {
+    pub(super) fn exact_arc(&self, times: [f64; 2], timing: Timing) -> Arc<Dyadic> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).exact_arc(times),
-            Kind::ConstantRate(motion) => motion.exact_arc(times, clock),
+            Kind::ConstantRate(motion) => motion.exact_arc(times, timing),
         }
     }
 
     /// The same in doubles with bounds.
-    pub(super) fn arc(&self, times: [f64; 2], clock: Clock) -> Arc<Bounded> {
+    pub(super) fn arc(&self, times: [f64; 2], timing: Timing) -> Arc<Bounded> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).arc(times),
-            Kind::ConstantRate(motion) => motion.arc(times, clock),
+            Kind::ConstantRate(motion) => motion.arc(times, timing),
         }
     }
 
     /// The same in doubles without bounds.
-    pub(super) fn rounded_arc(&self, times: [f64; 2], clock: Clock) -> Arc<f64> {
+    pub(super) fn rounded_arc(&self, times: [f64; 2], timing: Timing) -> Arc<f64> {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, times).rounded_arc(times),
-            Kind::ConstantRate(motion) => motion.rounded_arc(times, clock),
+            Kind::ConstantRate(motion) => motion.rounded_arc(times, timing),
         }
     }
 
@@ -343,10 +340,10 @@ impl Motion {
 
     /// A bound above the distance of a body's points from the axis of a rotation at constant rate; 0 for rational
     /// motions, which have no need of it.
-    pub(super) fn reach(&self, body: &Zonotope<3>) -> f64 {
+    pub(super) fn distance_from_axis(&self, body: &Zonotope<3>) -> f64 {
         match &self.0 {
             Kind::Rational(_) => 0.0,
-            Kind::ConstantRate(motion) => motion.reach(body),
+            Kind::ConstantRate(motion) => motion.distance_from_axis(body),
         }
     }
 

@@ -33,6 +33,22 @@ pub enum SweepError {
     OutOfRange,
 }
 
+/// Checks that the numbers of a turn about an axis and a translation are finite.
+///
+/// # Errors
+/// The first one that is not, by name.
+pub(super) fn check_finite(
+    axis_point: [f64; 3],
+    axis: [f64; 3],
+    angle: f64,
+    translation: [f64; 3],
+) -> Result<(), NonFinite> {
+    NonFinite::check_vector("the axis point", &axis_point)?;
+    NonFinite::check_vector("the axis", &axis)?;
+    NonFinite::check_vector("the angle", &[angle])?;
+    NonFinite::check_vector("the translation", &translation)
+}
+
 impl From<ZonotopeError> for SweepError {
     fn from(_: ZonotopeError) -> Self {
         Self::OutOfRange
@@ -46,10 +62,7 @@ impl Sweep {
     /// # Errors
     /// [`SweepError`] if a number is not finite, the axis is zero or the angle negative.
     pub fn new(axis_point: [f64; 3], axis: [f64; 3], angle: f64, translation: [f64; 3]) -> Result<Self, SweepError> {
-        NonFinite::check_vector("the axis point", &axis_point)?;
-        NonFinite::check_vector("the axis", &axis)?;
-        NonFinite::check_vector("the angle", &[angle])?;
-        NonFinite::check_vector("the translation", &translation)?;
+        check_finite(axis_point, axis, angle, translation)?;
         if axis == [0.0; 3] {
             return Err(SweepError::ZeroAxis);
         }

@@ -32,6 +32,13 @@ pub fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
     result
 }
 
+/// A vector times 2^`exponent`; `None` where a coordinate of it is no double.
+pub(crate) fn scaled_exactly<const D: usize>(v: &[f64; D], exponent: i64) -> Option<[f64; D]> {
+    let scaled = v.map(|c| scale_by_power_of_two(c, exponent));
+    let is_exact = |(c, scaled): (&f64, &f64)| scaled.is_finite() && scale_by_power_of_two(*scaled, -exponent) == *c;
+    v.iter().zip(&scaled).all(is_exact).then_some(scaled)
+}
+
 /// The exponent e with 2^e ≤ |value| < 2^(e+1); `None` for zero.
 pub fn binary_exponent(value: f64) -> Option<i32> {
     let (mantissa, exponent) = decompose(value);
@@ -103,6 +110,9 @@ mod tests {
         assert_eq!(scaled_difference(f64::MAX, -f64::MAX, -1), f64::MAX);
         assert_eq!(scaled_difference(f64::from_bits(3), f64::from_bits(1), 1), f64::from_bits(4));
         assert_eq!(PowerOfTwo::new(-1074).apply(3.0), f64::from_bits(3));
+        assert_eq!(scaled_exactly(&[3.0, -0.0], -1074), Some([f64::from_bits(3), 0.0]));
+        assert_eq!([scaled_exactly(&[3.0], -1075), scaled_exactly(&[1.0], 1024)], [None; 2]);
+        assert_eq!(scaled_exactly(&[f64::from_bits(3)], 2000), Some([3.0 * power_of_two(926)]));
         assert_eq!(PowerOfTwo::new(2000).apply(f64::from_bits(1)), power_of_two(926));
     }
 

@@ -3,7 +3,7 @@
 
 use super::by_control_points::{SHORTEST_STRETCH, STRETCH_LIMIT};
 use super::gap::Stretch;
-use super::scene::{Apart, Scene};
+use super::scene::{Hint, Position, Scene};
 use super::{FirstContact, FreeStretch, SeparatingDirection};
 use crate::collision::Witness;
 use crate::numeric::bounded::Bounded;
@@ -24,7 +24,7 @@ pub(super) trait Bound {
 
 struct Open {
     times: [f64; 2],
-    hints: [Apart; 2],
+    hints: [Hint; 2],
     meets: Option<Witness>,
 }
 
@@ -37,9 +37,9 @@ pub(super) fn first_contact(
 ) -> FirstContact {
     let resolution = resolution.max(SHORTEST_STRETCH);
     let mut free = Vec::new();
-    let start = match scene.at(0.0, tally) {
-        Ok(witness) => return FirstContact::Contact { free, time: [0.0; 2], witness },
-        Err(found) => found,
+    let start = match scene.position_at(0.0, tally) {
+        Position::Meeting(witness) => return FirstContact::Contact { free, time: [0.0; 2], witness },
+        Position::NotProved(found) => found,
     };
     let open = |times| Open { times, hints: [start, None], meets: None };
     let mut stack: Vec<Open> = scene.moving.first_stretches().into_iter().rev().map(open).collect();
@@ -59,7 +59,7 @@ pub(super) fn first_contact(
                     continue;
                 }
                 if width <= SHORTEST_STRETCH {
-                    if let Ok(witness) = scene.at(until, tally) {
+                    if let Position::Meeting(witness) = scene.position_at(until, tally) {
                         return FirstContact::Contact { free, time: times, witness };
                     }
                     let distance_at_most = scene.distance_at_most(until, tally);
@@ -69,12 +69,12 @@ pub(super) fn first_contact(
             None => {}
         }
         let middle = from + width / 2.0;
-        match scene.at(middle, tally) {
-            Ok(witness) => {
+        match scene.position_at(middle, tally) {
+            Position::Meeting(witness) => {
                 stack.clear();
                 stack.push(Open { times: [from, middle], hints: [hints[0], None], meets: Some(witness) });
             }
-            Err(found) => {
+            Position::NotProved(found) => {
                 stack.push(Open { times: [middle, until], hints: [found, hints[1]], meets });
                 stack.push(Open { times: [from, middle], hints: [hints[0], found], meets: None });
             }

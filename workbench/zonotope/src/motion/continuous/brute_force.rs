@@ -72,17 +72,12 @@ impl Placement {
         let [w, x, y, z] = &q;
         let square = q.iter().map(|c| c * c).fold(Rational::ZERO, |sum, c| sum + c);
         let two = Rational::from(2u8);
+        let axis = [x, y, z];
+        // the matrix of the cross product with the axis
+        let skew = [[Rational::ZERO, -z, y.clone()], [z.clone(), Rational::ZERO, -x], [-y, x.clone(), Rational::ZERO]];
         let entry = |i: usize, j: usize| {
-            let axis = [x, y, z];
             let diagonal = if i == j { &square - &two * (&square - w * w) } else { Rational::ZERO };
-            // −w times the Levi-Civita symbol: (i, j) = (0, 1) has −z
-            let third = 3 - i - j.min(3 - i);
-            let skew = match (3 + j - i) % 3 {
-                0 => Rational::ZERO,
-                1 => -(&two * w * axis[third]),
-                _ => &two * w * axis[third],
-            };
-            (diagonal + &two * axis[i] * axis[j] + skew) / &square
+            (diagonal + &two * axis[i] * axis[j] + &two * w * &skew[i][j]) / &square
         };
         let rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)));
         let point = part.axis_point.map(rational);

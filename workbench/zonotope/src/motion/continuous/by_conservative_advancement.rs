@@ -41,8 +41,9 @@
 //! ```
 
 use super::by_control_points::{SHORTEST_STRETCH, STRETCH_LIMIT};
+use super::moving::spans;
 use super::ordinary_sizes;
-use super::scene::Scene;
+use super::scene::{Position, Scene};
 use super::{FirstContact, FreeStretch, SeparatingDirection};
 use crate::motion::Motion;
 use crate::numeric::linear::{dot, norm_of_any_size};
@@ -66,11 +67,11 @@ pub fn first_contact_counted(
 
 fn advanced(scene: &Scene<'_>, resolution: f64, tally: &mut dyn Tally) -> FirstContact {
     let mut free = Vec::new();
-    if let Ok(witness) = scene.at(0.0, tally) {
+    if let Position::Meeting(witness) = scene.position_at(0.0, tally) {
         return FirstContact::Contact { free, time: [0.0; 2], witness };
     }
     let mut steps = 0;
-    for [mut from, end] in scene.moving.parts() {
+    for [mut from, end] in spans(scene.moving.motions) {
         while from < end {
             steps += 1;
             tally.add(Operation::Stretch, 1);
@@ -80,7 +81,7 @@ fn advanced(scene: &Scene<'_>, resolution: f64, tally: &mut dyn Tally) -> FirstC
                 // the bodies are near: do they meet shortly after?
                 let near = (from + resolution).min(end);
                 let near = if near - from > resolution { near.next_down() } else { near };
-                if let Ok(witness) = scene.at(near, tally) {
+                if let Position::Meeting(witness) = scene.position_at(near, tally) {
                     return FirstContact::Contact { free, time: [from, near], witness };
                 }
                 if until - from < SHORTEST_STRETCH {

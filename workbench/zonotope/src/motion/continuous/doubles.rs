@@ -72,14 +72,16 @@ pub(super) fn doubt_along(rounding: f64, direction: &SeparatingDirection) -> f64
 
 #[cfg(test)]
 mod tests {
+    use super::super::gap::ArcPair;
     use super::super::parts::margin::Margin;
     use super::super::tests::{random_body, random_parts};
     use super::*;
     use crate::motion::Motion;
-    use crate::motion::constant_rate::Clock;
+    use crate::motion::constant_rate::Timing;
     use crate::numeric::dyadic::Dyadic;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64;
+    use std::rc::Rc;
 
     fn motion(rng: &mut Pcg64) -> Motion {
         if rng.random_bool(0.5) {
@@ -102,10 +104,10 @@ mod tests {
             let axis = [0.6, 0.0, 0.8];
             let margin = Margin { distance: 1e-3, axis, of_other: 2e-3, of_normals: 3e-3 };
             let margins = [margin, Margin::NONE];
-            let arcs = motions.each_ref().map(|motion| motion.rounded_arc(times, Clock::Kept));
-            let rounded = Stretch::new(bodies, arcs, margins);
-            let arcs = motions.each_ref().map(|motion| motion.exact_arc(times, Clock::Kept));
-            let exact = Stretch::<Dyadic>::new(bodies, arcs, margins);
+            let arcs = motions.each_ref().map(|motion| motion.rounded_arc(times, Timing::Timed));
+            let rounded = Stretch::new(bodies, Rc::new(ArcPair::new(arcs)), margins);
+            let arcs = motions.each_ref().map(|motion| motion.exact_arc(times, Timing::Timed));
+            let exact = Stretch::new(bodies, Rc::new(ArcPair::<Dyadic>::new(arcs)), margins);
             let vector = |rng: &mut Pcg64| [0, 1, 2].map(|_| rng.random_range(-1.0..1.0));
             let directions = [
                 SeparatingDirection::Space(vector(&mut rng)),
@@ -129,8 +131,8 @@ mod tests {
     fn numbers_that_may_leave_the_range_of_doubles_have_no_bound() {
         let bodies = [1e-200, 1e200].map(|size| random_body(&mut Pcg64::seed_from_u64(1), 3, size));
         let bodies = bodies.each_ref().map(Body::of);
-        let arcs = [Motion::rest(), Motion::rest()].map(|motion| motion.rounded_arc([0.0, 1.0], Clock::Kept));
-        let stretch = Stretch::new(bodies, arcs, [Margin::NONE; 2]);
+        let arcs = [Motion::rest(), Motion::rest()].map(|motion| motion.rounded_arc([0.0, 1.0], Timing::Timed));
+        let stretch = Stretch::new(bodies, Rc::new(ArcPair::new(arcs)), [Margin::NONE; 2]);
         let direction = SeparatingDirection::Space([1.0, 0.0, 0.0]);
         assert_eq!(stretch.rounding(), f64::INFINITY);
         assert_eq!(stretch.is_positive(&[1.0; 6], &direction), None);

@@ -14,6 +14,8 @@
 //! | normal to two edges | R_a e × R_b f | 5 + 5 |
 
 use std::cell::OnceCell;
+use std::ops::Deref;
+use std::rc::Rc;
 
 use super::SeparatingDirection;
 use super::parts::body::{Body, Side};
@@ -32,13 +34,20 @@ const SIDES: [Side; 2] = [Side::Away, Side::Toward];
 /// A matrix by rows.
 pub(super) type Matrix<T> = [[T; 3]; 3];
 
-/// Two bodies on a stretch of their motions, with what does not depend on a direction.
+/// Two bodies on a stretch of their motions, with what does not depend on a direction. It is read as its
+/// [`ArcPair`], too.
 #[derive(Debug)]
 pub(super) struct Stretch<'a, T> {
     pub(super) bodies: [Body<'a>; 2],
-    pub(super) arcs: [Arc<T>; 2],
     /// A bound of the distance of the points of each body from their places on the stretch.
     pub(super) margins: [Margin; 2],
+    pair: Rc<ArcPair<T>>,
+}
+
+/// The motions of two bodies on a stretch, with all that does not depend on the bodies: those of many bodies share it.
+#[derive(Debug)]
+pub(super) struct ArcPair<T> {
+    pub(super) arcs: [Arc<T>; 2],
     /// |q_a|² and |q_b|².
     pub(super) squares: [[T; 3]; 2],
     /// Their product.
@@ -54,12 +63,18 @@ pub(super) struct Stretch<'a, T> {
 /// A polynomial of degree 5 that bounds the gap times positive polynomials: its scaled Bernstein coefficients.
 pub(super) type GapBound<T> = [T; 6];
 
-impl<'a, T: ReachScalar> Stretch<'a, T> {
-    pub(super) fn new(bodies: [Body<'a>; 2], arcs: [Arc<T>; 2], margins: [Margin; 2]) -> Self {
+impl<T> Deref for Stretch<'_, T> {
+    type Target = ArcPair<T>;
+
+    fn deref(&self) -> &ArcPair<T> {
+        &self.pair
+    }
+}
+
+impl<T: ReachScalar> ArcPair<T> {
+    pub(super) fn new(arcs: [Arc<T>; 2]) -> Self {
         let squares = arcs.each_ref().map(Arc::square);
         Self {
-            bodies,
-            margins,
             square: convolution(&squares[0], &squares[1]),
             squares,
             rotations: arcs.each_ref().map(Arc::rotations),
@@ -69,14 +84,20 @@ impl<'a, T: ReachScalar> Stretch<'a, T> {
         }
     }
 
-    /// A bound of the part of the gap along a direction that the stretch shows too much.
-    pub(super) fn margin_along(&self, direction: &SeparatingDirection) -> f64 {
-        margin::along(&self.margins, direction)
-    }
-
     /// The rotations of the second body as the first one sees them, times both squares.
     pub(super) fn seen(&self) -> &[Matrix<T>; 5] {
         self.seen.get_or_init(|| self.arcs[0].rotations_seen(&self.arcs[1]))
+    }
+}
+
+impl<'a, T: ReachScalar> Stretch<'a, T> {
+    pub(super) fn new(bodies: [Body<'a>; 2], pair: Rc<ArcPair<T>>, margins: [Margin; 2]) -> Self {
+        Self { bodies, margins, pair }
+    }
+
+    /// A bound of the part of the gap along a direction that the stretch shows too much.
+    pub(super) fn margin_along(&self, direction: &SeparatingDirection) -> f64 {
+        margin::along(&self.margins, direction)
     }
 
     /// The number of values of support functions in the bound along a direction.
@@ -120,8 +141,8 @@ impl<'a, T: ReachScalar> Stretch<'a, T> {
         if arc.is_translation {
             let pulled = transposed_image(&rotations[0], u);
             let [reach] = body.reaches(SIDES[i], std::array::from_ref(&pulled));
-            let thrice = |end: T| [end.clone(), end.plus(&end), end];
-            return (thrice(dot(&pulled, &arm)), thrice(reach));
+            let constant = |end: T| [end.clone(), end.plus(&end), end];
+            return (constant(dot(&pulled, &arm)), constant(reach));
         }
         let pulled = rotations.each_ref().map(|m| transposed_image(m, u));
         (pulled.each_ref().map(|u| dot(u, &arm)), body.reaches(SIDES[i], &pulled))

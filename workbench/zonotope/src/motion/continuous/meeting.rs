@@ -228,7 +228,7 @@ fn filled_up<T: Scalar>(columns: Vec<[T; 3]>) -> [[T; 3]; 3] {
 mod tests {
     use super::*;
     use crate::motion::Motion;
-    use crate::motion::constant_rate::Clock;
+    use crate::motion::constant_rate::Timing;
 
     #[test]
     fn pairs_of_doubles_solve_for_the_doubles_that_exact_numbers_solve_for() {
@@ -238,7 +238,7 @@ mod tests {
         let mut solved = 0;
         for step in 0..64 {
             let time = f64::from(step) / 63.0;
-            let arcs = [&turn, &Motion::rest()].map(|motion| motion.exact_arc([time; 2], Clock::Kept));
+            let arcs = [&turn, &Motion::rest()].map(|motion| motion.exact_arc([time; 2], Timing::Timed));
             let coefficients = (0..6).map(|i| f64::from((step * 7 + i * 5) % 13) / 6.5 - 1.0).collect();
             let basis = [[0, 1, 2], [0, 2, 4], [1, 3, 5], [3, 4, 5]][step as usize % 4].to_vec();
             let witness = Witness { coefficients, basis };

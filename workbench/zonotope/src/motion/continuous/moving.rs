@@ -1,13 +1,15 @@
 //! Two bodies and their motions: the stretches of a step of time, and the directions that prove them.
 
+use std::rc::Rc;
+
 use super::SeparatingDirection;
-use super::gap::Stretch;
+use super::gap::{ArcPair, Stretch};
 use super::parts::body::{Body, Side};
 use super::parts::margin::{self, Margin};
-use super::simplex_search::{Lowest, Search, search};
+use super::simplex_search::{Lowest, Outcome, search};
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
-use crate::motion::constant_rate::Clock;
+use crate::motion::constant_rate::Timing;
 use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
@@ -26,33 +28,33 @@ const SHARES: f64 = 64.0;
 pub(super) struct Moving<'a> {
     pub(super) bodies: [Body<'a>; 2],
     pub(super) motions: [&'a Motion; 2],
-    /// Bounds of how far from the axes the bodies reach, for rotations at constant rate.
-    reaches: [f64; 2],
+    /// Bounds of the distances of the bodies' points from their axes, for rotations at constant rate.
+    from_axes: [f64; 2],
     /// Whether a free stretch is about the set of the placements alone: one body turns and the other rests.
-    clock: Clock,
+    timing: Timing,
+}
+
+/// The spans of time in which no part of two motions ends, in order.
+pub(super) fn spans(motions: [&Motion; 2]) -> Vec<[f64; 2]> {
+    let mut times: Vec<f64> = motions.iter().flat_map(|motion| motion.breaks()).chain([0.0, 1.0]).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 impl<'a> Moving<'a> {
-    /// The bodies, and bounds of how far from the axes of rotations at constant rate they reach.
-    pub(super) fn new(bodies: [Body<'a>; 2], motions: [&'a Motion; 2], reaches: [f64; 2]) -> Self {
+    /// The bodies, and bounds of the distances of their points from the axes of rotations at constant rate.
+    pub(super) fn new(bodies: [Body<'a>; 2], motions: [&'a Motion; 2], from_axes: [f64; 2]) -> Self {
         let [first, second] = motions;
         let is_one_turn = (first.only_turns() && second.is_rest()) || (first.is_rest() && second.only_turns());
-        let clock = if is_one_turn { Clock::Free } else { Clock::Kept };
-        Self { bodies, motions, reaches, clock }
-    }
-
-    /// The times between which no part of a motion ends.
-    pub(super) fn parts(&self) -> Vec<[f64; 2]> {
-        let mut times: Vec<f64> = self.motions.iter().flat_map(|motion| motion.breaks()).chain([0.0, 1.0]).collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        let timing = if is_one_turn { Timing::Untimed } else { Timing::Timed };
+        Self { bodies, motions, from_axes, timing }
     }
 
     /// The stretches that are asked about first: the parts of the motions, each cut evenly where a body turns by more
     /// than a quarter turn. Halving would cut into more, and look at the bodies at each cut.
     pub(super) fn first_stretches(&self) -> Vec<[f64; 2]> {
-        self.parts().into_iter().flat_map(|part| self.cut(part)).collect()
+        spans(self.motions).into_iter().flat_map(|part| self.cut(part)).collect()
     }
 
     /// The pieces of a part of the time, cut at multiples of one of its [`SHARES`] shares: such times have few digits,
@@ -71,21 +73,27 @@ impl<'a> Moving<'a> {
         self.motions.iter().all(|motion| motion.is_one_stretch(times))
     }
 
+    /// A stretch of motions that are not off their arcs, by these arcs.
+    pub(super) fn stretch_of(&self, pair: Rc<ArcPair<f64>>) -> Stretch<'a, f64> {
+        Stretch::new(self.bodies, pair, [Margin::NONE; 2])
+    }
+
     /// The stretch between two times, in doubles without bounds.
     pub(super) fn rounded_stretch(&self, times: [f64; 2]) -> Stretch<'a, f64> {
-        let arcs = self.rounded_arcs(times);
-        let margins = self.margins(times, &arcs);
-        Stretch::new(self.bodies, arcs, margins)
+        let pair = ArcPair::new(self.rounded_arcs(times));
+        let margins = self.margins(times, &pair.arcs);
+        Stretch::new(self.bodies, Rc::new(pair), margins)
     }
 
     /// The same with bounds.
     pub(super) fn stretch(&self, times: [f64; 2]) -> Stretch<'a, Bounded> {
         let margins = self.margins(times, &self.rounded_arcs(times));
-        Stretch::new(self.bodies, self.motions.map(|motion| motion.arc(times, self.clock)), margins)
+        let pair = ArcPair::new(self.motions.map(|motion| motion.arc(times, self.timing)));
+        Stretch::new(self.bodies, Rc::new(pair), margins)
     }
 
     fn rounded_arcs(&self, times: [f64; 2]) -> [Arc<f64>; 2] {
-        self.motions.map(|motion| motion.rounded_arc(times, self.clock))
+        self.motions.map(|motion| motion.rounded_arc(times, self.timing))
     }
 
     /// Whether a direction proves a stretch: in doubles with one bound, where these leave a doubt with a bound for each
@@ -123,16 +131,16 @@ impl<'a> Moving<'a> {
             return false;
         }
         tally.add(Operation::ExactFallback, 1);
-        let arcs = self.motions.map(|motion| motion.exact_arc(times, self.clock));
-        let exact = Stretch::<Dyadic>::new(self.bodies, arcs, margins);
+        let pair = ArcPair::<Dyadic>::new(self.motions.map(|motion| motion.exact_arc(times, self.timing)));
+        let exact = Stretch::new(self.bodies, Rc::new(pair), margins);
         exact.gap_along(direction).iter().all(|c| c.sign().is_gt())
     }
 
-    /// For each body bounds of how far it is from its place on the stretch at the same time; none where the clock is
-    /// free.
+    /// For each body bounds of how far it is from its place on the stretch at the same time; none where
+    /// it need not be there at that time.
     fn margins(&self, times: [f64; 2], arcs: &[Arc<f64>; 2]) -> [Margin; 2] {
         let angles = self.motions.map(|motion| match motion.angle_off(times) {
-            angle if angle.is_finite() && self.clock == Clock::Free => 0.0,
+            angle if angle.is_finite() && self.timing == Timing::Untimed => 0.0,
             angle => angle,
         });
         if angles == [0.0; 2] {
@@ -143,7 +151,7 @@ impl<'a> Moving<'a> {
                 return Margin::NONE;
             }
             let both = [own, other].map(|i| (&arcs[i], self.bodies[i]));
-            Margin::new(angles[own], self.motions[own].unit_axis(), self.reaches[own], both)
+            Margin::new(angles[own], self.motions[own].unit_axis(), self.from_axes[own], both)
         })
     }
 
@@ -151,23 +159,28 @@ impl<'a> Moving<'a> {
     pub(super) fn margin(&self, times: [f64; 2]) -> f64 {
         let off = [0, 1].map(|i| match self.motions[i].angle_off(times) {
             0.0 => 0.0,
-            angle => (angle * self.reaches[i]).next_up(),
+            angle => (angle * self.from_axes[i]).next_up(),
         });
         if off == [0.0; 2] { 0.0 } else { (off[0] + off[1]).next_up() }
     }
 
     /// A direction that separates the bodies at a time, as they are rounded then, by a search in doubles from a first
-    /// one, or from the path between the centres. It proves nothing, and [`Search::Inside`] as little.
-    pub(super) fn looked_at(&self, time: f64, first: Option<[f64; 3]>, tally: &mut dyn Tally) -> Search {
-        let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return Search::Undecided };
-        let centers = [(0, &p), (1, &q)].map(|(i, pose): (usize, &Pose)| {
+    /// one, or from the path between the centres. It proves nothing, and [`Outcome::Inside`] as little.
+    pub(super) fn search_at(&self, time: f64, first: Option<[f64; 3]>, tally: &mut dyn Tally) -> Outcome {
+        let [Some(p), Some(q)] = self.motions.map(|motion| motion.pose_at(time)) else { return Outcome::Undecided };
+        self.search_placed([&p, &q], first, tally)
+    }
+
+    /// The same for the bodies where poses put them.
+    pub(super) fn search_placed(&self, [p, q]: [&Pose; 2], first: Option<[f64; 3]>, tally: &mut dyn Tally) -> Outcome {
+        let centers = [(0, p), (1, q)].map(|(i, pose): (usize, &Pose)| {
             let (turned, moved) = (image(pose.rows(), &self.bodies[i].center()), pose.translation());
             [0, 1, 2].map(|k| turned[k] + moved[k])
         });
         let apart = [0, 1, 2].map(|k| centers[1][k] - centers[0][k]);
         search(&[first.unwrap_or(apart)], NEAR_THE_SHORTEST, |u| {
             tally.add(Operation::SupportEvaluation, 2);
-            let [from, to] = [(0, &p, Side::Away), (1, &q, Side::Toward)].map(|(i, pose, side)| {
+            let [from, to] = [(0, p, Side::Away), (1, q, Side::Toward)].map(|(i, pose, side)| {
                 let [farthest] = self.bodies[i].farthest(side, &[transposed_image(pose.rows(), u)]);
                 image(pose.rows(), &farthest)
             });

@@ -5,7 +5,7 @@ use super::FirstContact;
 use super::scene::Scene;
 use crate::motion::Motion;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::scaling::power_of_two;
+use crate::numeric::scaling::{power_of_two, scaled_exactly};
 use crate::zonotope::Zonotope;
 
 /// Binary exponents of the largest coordinate between which nothing is scaled: products of a handful of them stay in
@@ -42,6 +42,12 @@ fn answered(scene: Scene<'_>, answer: impl FnOnce(Scene<'_>) -> FirstContact) ->
     }
 }
 
+/// The exponent of the power of two by which numbers become ordinary, by the binary exponent of the largest; `None`
+/// where they are.
+pub(super) fn change(largest: i64) -> Option<i64> {
+    (!ORDINARY_EXPONENTS.contains(&largest)).then(|| (-largest).clamp(-LARGEST_CHANGE, LARGEST_CHANGE))
+}
+
 /// Both times a power of two, exactly, and its exponent; `None` where sizes are ordinary, or where the range of doubles
 /// is too narrow for the least of the numbers.
 fn scaled(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2]) -> Option<([Zonotope<3>; 2], [Motion; 2], i64)> {
@@ -51,17 +57,10 @@ fn scaled(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2]) -> Option<([Zonotope
         Dyadic::from_f64(largest).binary_exponent()
     });
     let of_motions = motions.iter().flat_map(|motion| motion.size_exponent());
-    let largest = of_bodies.chain(of_motions).max()?;
-    if ORDINARY_EXPONENTS.contains(&largest) {
-        return None;
-    }
-    let exponent = (-largest).clamp(-LARGEST_CHANGE, LARGEST_CHANGE);
-    let factor = power_of_two(exponent as i32);
-    let exactly = |c: f64| (c * factor / factor == c).then_some(c * factor);
-    let vector = |v: &[f64; 3]| Some([exactly(v[0])?, exactly(v[1])?, exactly(v[2])?]);
+    let exponent = change(of_bodies.chain(of_motions).max()?)?;
     let body = |body: &Zonotope<3>| {
-        let generators = body.generators().iter().map(vector).collect::<Option<Vec<_>>>()?;
-        Zonotope::new(vector(&body.center())?, generators).ok()
+        let generators = body.generators().iter().map(|g| scaled_exactly(g, exponent)).collect::<Option<Vec<_>>>()?;
+        Zonotope::new(scaled_exactly(&body.center(), exponent)?, generators).ok()
     };
     let [a, b] = bodies;
     let [p, q] = motions;

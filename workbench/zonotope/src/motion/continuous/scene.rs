@@ -9,7 +9,7 @@ use crate::collision::distance::Proximity;
 use crate::collision::distance::by_support_simplex::proximity;
 use crate::collision::{Location, Query, Separation, Witness};
 use crate::motion::Motion;
-use crate::motion::constant_rate::Clock;
+use crate::motion::constant_rate::Timing;
 use crate::tally::{Operation, OperationCounts, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
@@ -21,35 +21,46 @@ pub(super) struct Scene<'a> {
     zonotopes: [&'a Zonotope<3>; 2],
 }
 
-/// The direction that separates two bodies at a time; none where none was found.
-pub(super) type Apart = Option<SeparatingDirection>;
+/// A direction that separates two bodies at a time, with which later searches begin; none where none is known.
+pub(super) type Hint = Option<SeparatingDirection>;
+
+/// The position of two bodies to each other at a time.
+pub(super) enum Position {
+    /// They meet, with the proof.
+    Meeting(Witness),
+    /// Nothing is proved: they are disjoint as they are rounded then, or so near that rounding leaves a doubt.
+    NotProved(Hint),
+}
 
 impl<'a> Scene<'a> {
     pub(super) fn new(zonotopes: [&'a Zonotope<3>; 2], motions: [&'a Motion; 2]) -> Self {
-        let reaches = [0, 1].map(|i| motions[i].reach(zonotopes[i]));
-        Self { moving: Moving::new(zonotopes.map(Body::of), motions, reaches), zonotopes }
+        let from_axes = [0, 1].map(|i| motions[i].distance_from_axis(zonotopes[i]));
+        Self { moving: Moving::new(zonotopes.map(Body::of), motions, from_axes), zonotopes }
     }
 
     /// A proof that the bodies meet at a time with the coefficients of its basis rounded from what they are for the
     /// exact placements.
     pub(super) fn with_nearest_basis(&self, time: f64, witness: Witness) -> Witness {
-        let arcs = self.moving.motions.map(|motion| motion.exact_arc([time; 2], Clock::Kept));
+        let arcs = self.moving.motions.map(|motion| motion.exact_arc([time; 2], Timing::Timed));
         meeting::with_nearest_basis(self.zonotopes, arcs.each_ref(), witness)
     }
 
-    /// The proof that the bodies meet at a time, or else a direction that separates them as they are rounded then.
-    pub(super) fn at(&self, time: f64, tally: &mut dyn Tally) -> Result<Witness, Apart> {
+    /// The position at a time: the proof that the bodies meet, or else a direction that separates them as they are
+    /// rounded then.
+    pub(super) fn position_at(&self, time: f64, tally: &mut dyn Tally) -> Position {
         let location = self.with_query(time, tally, |query, counts| locate(query, counts));
         match location {
-            None | Some(Location::Outside(Separation::Exact(_))) => Err(None),
-            Some(Location::Outside(Separation::Rounded(u))) => Err(Some(SeparatingDirection::Space(u))),
+            None | Some(Location::Outside(Separation::Exact(_))) => Position::NotProved(None),
+            Some(Location::Outside(Separation::Rounded(u))) => Position::NotProved(Some(SeparatingDirection::Space(u))),
             Some(Location::Inside(witness) | Location::Boundary(witness)) => {
                 if self.is_meeting(time, &witness) {
-                    return Ok(witness);
+                    return Position::Meeting(witness);
                 }
-                let arcs = self.moving.motions.map(|motion| motion.rounded_arc([time; 2], Clock::Kept));
+                let arcs = self.moving.motions.map(|motion| motion.rounded_arc([time; 2], Timing::Timed));
                 let completed = meeting::completed(self.zonotopes, arcs.each_ref(), witness);
-                completed.filter(|witness| self.is_meeting(time, witness)).ok_or(None)
+                completed
+                    .filter(|witness| self.is_meeting(time, witness))
+                    .map_or(Position::NotProved(None), Position::Meeting)
             }
         }
     }
@@ -81,13 +92,13 @@ impl<'a> Scene<'a> {
     fn is_meeting(&self, time: f64, witness: &Witness) -> bool {
         let times = [time; 2];
         let bodies = self.zonotopes;
-        let [p, q] = self.moving.motions.map(|motion| motion.arc(times, Clock::Kept));
+        let [p, q] = self.moving.motions.map(|motion| motion.arc(times, Timing::Timed));
         let angles_off = self.moving.motions.map(|motion| motion.angle_off(times));
         let margin = self.moving.margin(times);
         if meeting::is_certain(bodies, [&p, &q], witness, angles_off, margin) {
             return true;
         }
-        let [p, q] = self.moving.motions.map(|motion| motion.exact_arc(times, Clock::Kept));
+        let [p, q] = self.moving.motions.map(|motion| motion.exact_arc(times, Timing::Timed));
         margin == 0.0 && angles_off == [0.0; 2] && meeting::is_proved(bodies, [&p, &q], witness)
     }
 
@@ -101,7 +112,7 @@ impl<'a> Scene<'a> {
                 Proximity::Touching(witness) | Proximity::Overlapping(witness) => witness.coefficients,
             });
         let Some(coefficients) = nearest else { return f64::INFINITY };
-        let arcs = self.moving.motions.map(|motion| motion.exact_arc([time; 2], Clock::Kept));
+        let arcs = self.moving.motions.map(|motion| motion.exact_arc([time; 2], Timing::Timed));
         let apart = meeting::distance_above(self.zonotopes, arcs.each_ref(), coefficients);
         let bound = match self.moving.margin([time; 2]) {
             0.0 => apart,

@@ -1,6 +1,7 @@
 //! A direction that separates the origin from a convex body of which the lowest point along a direction is known: the
 //! search of Gilbert, Johnson and Keerthi, in doubles. It proves nothing.
 
+use super::SeparatingDirection;
 use crate::collision::distance::NearestSimplex;
 use crate::numeric::linear::dot;
 
@@ -23,7 +24,7 @@ pub(super) struct Lowest {
 
 /// The end of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Search {
+pub(super) enum Outcome {
     /// A direction that is looked for.
     Found([f64; 3]),
     /// The origin is inside the body, as it is rounded.
@@ -32,10 +33,20 @@ pub(super) enum Search {
     Undecided,
 }
 
+impl Outcome {
+    /// The direction that was found, as one that is fixed in space.
+    pub(super) fn found(self) -> Option<SeparatingDirection> {
+        match self {
+            Self::Found(u) => Some(SeparatingDirection::Space(u)),
+            Self::Inside | Self::Undecided => None,
+        }
+    }
+}
+
 /// Looks for a direction: the first ones, and from their lowest points on. A `quality` above 0 asks for one along which
 /// the gap is at least that share of the distance; where that is not reached, one with a gap is found all the same.
-pub(super) fn search(first: &[[f64; 3]], quality: f64, mut lowest: impl FnMut(&[f64; 3]) -> Lowest) -> Search {
-    let mut found = Search::Undecided;
+pub(super) fn search(first: &[[f64; 3]], quality: f64, mut lowest: impl FnMut(&[f64; 3]) -> Lowest) -> Outcome {
+    let mut found = Outcome::Undecided;
     let mut simplex = NearestSimplex::<3>::new();
     let mut known = first.iter();
     let mut nearest = None;
@@ -47,7 +58,7 @@ pub(super) fn search(first: &[[f64; 3]], quality: f64, mut lowest: impl FnMut(&[
         };
         let Lowest { point, is_found } = lowest(&u);
         if is_found {
-            found = Search::Found(u);
+            found = Outcome::Found(u);
             if quality == 0.0 || (is_nearest && dot(&u, &point) > quality * dot(&u, &u)) {
                 return found;
             }
@@ -61,7 +72,7 @@ pub(super) fn search(first: &[[f64; 3]], quality: f64, mut lowest: impl FnMut(&[
         let Some(next) = simplex.add(point) else { return found };
         nearest = Some(next);
         if simplex.is_full() {
-            return if found == Search::Undecided { Search::Inside } else { found };
+            return if found == Outcome::Undecided { Outcome::Inside } else { found };
         }
         let square = dot(&next, &next);
         if square.is_nan() || square <= RELATIVE_DISTANCE * simplex.largest_square() {
@@ -76,7 +87,7 @@ mod tests {
     use super::*;
 
     /// The cube of half a side about a centre.
-    fn of_cube(center: [f64; 3], half: f64, least: f64) -> Search {
+    fn of_cube(center: [f64; 3], half: f64, least: f64) -> Outcome {
         search(&[[1.0, 0.2, 0.3]], 0.0, |u| {
             let point = [0, 1, 2].map(|k| center[k] - half.copysign(u[k]));
             let length = dot(u, u).sqrt();
@@ -86,14 +97,14 @@ mod tests {
 
     #[test]
     fn a_cube_beside_the_origin_is_separated_and_one_about_it_is_not() {
-        let Search::Found(u) = of_cube([0.0, 0.0, 1.5], 1.0, 0.0) else { panic!("the origin is outside") };
+        let Outcome::Found(u) = of_cube([0.0, 0.0, 1.5], 1.0, 0.0) else { panic!("the origin is outside") };
         assert!(u[2] > u[0].abs() + u[1].abs());
-        assert_eq!(of_cube([0.1, -0.3, 0.2], 1.0, 0.0), Search::Inside);
+        assert_eq!(of_cube([0.1, -0.3, 0.2], 1.0, 0.0), Outcome::Inside);
     }
 
     #[test]
     fn a_gap_that_is_too_small_ends_the_search() {
-        assert!(matches!(of_cube([0.0, 0.0, 1.5], 1.0, 0.499), Search::Found(_)));
-        assert_eq!(of_cube([0.0, 0.0, 1.5], 1.0, 0.501), Search::Undecided);
+        assert!(matches!(of_cube([0.0, 0.0, 1.5], 1.0, 0.499), Outcome::Found(_)));
+        assert_eq!(of_cube([0.0, 0.0, 1.5], 1.0, 0.501), Outcome::Undecided);
     }
 }

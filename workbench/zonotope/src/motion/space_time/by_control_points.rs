@@ -54,7 +54,7 @@ use std::cmp::Ordering;
 
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
-use crate::motion::constant_rate::Clock;
+use crate::motion::constant_rate::Timing;
 use crate::motion::quaternion::{image, polar_rotation};
 use crate::motion::sweep::SweepError;
 use crate::numeric::Rational;
@@ -68,11 +68,11 @@ use crate::zonotope::Zonotope;
 /// # Errors
 /// [`SweepError::OutOfRange`] if it leaves the range of doubles.
 pub(super) fn volume(motion: &Motion, body: &Zonotope<3>) -> Result<Zonotope<3>, SweepError> {
-    let middle = Middle::of(&motion.exact_arc([0.5, 0.5], Clock::Kept));
+    let middle = Middle::of(&motion.exact_arc([0.5, 0.5], Timing::Timed));
     let mut bounds: [Option<[Rational; 2]>; 3] = [const { None }; 3];
     let times: Vec<f64> = [0.0].into_iter().chain(motion.breaks()).chain([1.0]).collect();
     for part in times.windows(2) {
-        let whole = motion.exact_arc([part[0], part[1]], Clock::Kept);
+        let whole = motion.exact_arc([part[0], part[1]], Timing::Timed);
         for arc in whole.halves().iter().flat_map(Arc::halves) {
             for (k, bounds) in bounds.iter_mut().enumerate() {
                 let [low, high] = middle.displacements(&arc, body, k);

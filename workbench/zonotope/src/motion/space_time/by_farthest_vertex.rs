@@ -44,7 +44,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::parts::angle::{chord_above, covering};
+use super::parts::angle::{chord_above, covering, product_above};
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;
@@ -66,10 +66,4 @@ pub fn volume(sweep: &Sweep, body: &Zonotope<3>, tally: &mut dyn Tally) -> Resul
     let mut volume = Volume::of_body(body, sweep, scaled.exponent);
     volume.add_square(&plane, product_above(chord_above(covering(sweep.angle)), farthest));
     volume.finished()
-}
-
-/// A bound of the product of two numbers that are not negative: the double above the rounded one, which may be 0 where
-/// the product underflows, and 0 where a factor is 0.
-pub(super) fn product_above(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
 }

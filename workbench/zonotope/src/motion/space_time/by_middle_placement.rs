@@ -38,8 +38,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::by_farthest_vertex::product_above;
-use super::parts::angle::{chord_above, cosine_and_sine, covering};
+use super::parts::angle::{chord_above, cosine_and_sine, covering, product_above};
 use super::parts::plane::Plane;
 use super::parts::scaled_body::ScaledBody;
 use super::parts::shadow::Shadow;

@@ -1,3 +1,5 @@
+//! Every method against exact placements, and volumes against each other.
+
 use std::f64::consts::{PI, TAU};
 
 use super::brute_force::{farthest_squared, holds_placement};

@@ -8,8 +8,10 @@
 
 use super::super::SeparatingDirection;
 use super::super::gap::{GapBound, Stretch};
+use super::super::moving::Moving;
 use super::edges;
 use crate::motion::quaternion::transposed_image;
+use crate::tally::{Operation, Tally};
 use smallvec::SmallVec;
 
 /// The share of the time until the gap vanishes that is left out: the gap at the end of the stretch must be positive.
@@ -22,11 +24,40 @@ const LOOKED_AT: f64 = 16.0;
 const PARTS: u32 = 16;
 const HALVINGS: u32 = 20;
 
+/// The latest time within a stretch before which a candidate keeps a gap, and the candidate, which may prove what is
+/// before. All of them start from a direction that separates the bodies at the begin of the stretch.
+pub(in crate::motion::continuous) fn latest_gap(
+    moving: &Moving<'_>,
+    mut times: [f64; 2],
+    hint: &SeparatingDirection,
+    resolution: f64,
+    tally: &mut dyn Tally,
+) -> Option<(f64, SeparatingDirection)> {
+    if !moving.is_whole(times) {
+        return None;
+    }
+    let mut next = |stretch: &Stretch<'_, f64>, direction: &SeparatingDirection, times: [f64; 2]| {
+        tally.add(Operation::SupportEvaluation, stretch.support_evaluations(direction));
+        next_time(&stretch.gap_along(direction), times, resolution)
+    };
+    let mut stretch = moving.rounded_stretch(times);
+    let first = next(&stretch, hint, times)?;
+    if let Some(shorter) = shorter(times, first) {
+        times = shorter;
+        stretch = moving.rounded_stretch(times);
+    }
+    let mut best: Option<(f64, SeparatingDirection)> = None;
+    for direction in candidates(&stretch, hint) {
+        let time = next(&stretch, &direction, times);
+        if let Some(time) = time.filter(|&time| best.is_none_or(|(latest, _)| latest < time)) {
+            best = Some((time, direction));
+        }
+    }
+    best
+}
+
 /// Directions that are, at the begin of a stretch, a given one or near it, and that move with the bodies or stay.
-pub(super) fn candidates(
-    stretch: &Stretch<'_, f64>,
-    given: &SeparatingDirection,
-) -> SmallVec<[SeparatingDirection; 4]> {
+fn candidates(stretch: &Stretch<'_, f64>, given: &SeparatingDirection) -> SmallVec<[SeparatingDirection; 4]> {
     let mut candidates = SmallVec::from_iter([*given]);
     let Some(u) = given.fixed_in_space() else { return candidates };
     let turns = [0, 1].map(|i| !stretch.arcs[i].is_translation);
@@ -45,7 +76,7 @@ pub(super) fn candidates(
 
 /// A time strictly inside a stretch to ask about next: a little before the gap vanishes, or where that is near enough,
 /// less than the resolution after the begin. `None` where the gap says nothing.
-pub(super) fn next_time(gap: &GapBound<f64>, [from, until]: [f64; 2], resolution: f64) -> Option<f64> {
+fn next_time(gap: &GapBound<f64>, [from, until]: [f64; 2], resolution: f64) -> Option<f64> {
     let width = until - from;
     let left = width * first_zero(gap)?;
     let step = if left <= resolution / 2.0 {
@@ -59,7 +90,7 @@ pub(super) fn next_time(gap: &GapBound<f64>, [from, until]: [f64; 2], resolution
 
 /// The first part of a stretch in which a gap vanishes early, for a second look: rotations at constant rate are off
 /// their stretch by the third power of its length, and the gap is less by that.
-pub(super) fn shorter([from, until]: [f64; 2], vanishing: f64) -> Option<[f64; 2]> {
+fn shorter([from, until]: [f64; 2], vanishing: f64) -> Option<[f64; 2]> {
     let left = vanishing - from;
     let end = from + LOOKED_AT * left;
     (from < end && end < until).then_some([from, end])

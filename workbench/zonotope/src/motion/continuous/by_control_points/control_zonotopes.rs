@@ -6,9 +6,9 @@
 
 use super::super::SeparatingDirection;
 use super::super::doubles::doubt_along;
-use super::super::gap::{Matrix, Stretch};
+use super::super::gap::{ArcPair, Matrix, Stretch};
 use super::super::parts::body::{Body, Side};
-use super::super::simplex_search::{Lowest, Search, search};
+use super::super::simplex_search::{Lowest, Outcome, search};
 use crate::motion::bernstein::{self, INVERSE_BINOMIALS, convolution, elevated};
 use crate::motion::quaternion::{image, transposed_image};
 use crate::numeric::linear::dot;
@@ -88,7 +88,7 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
             is_proved = bernstein::is_above(&excess, doubt_along(self.rounding, &direction));
             Lowest { point: vertices[least], is_found: is_proved || excess[least] > 0.0 }
         });
-        let Search::Found(u) = found else { return None };
+        let Outcome::Found(u) = found else { return None };
         Some(Found { direction: self.direction(&u), is_proved })
     }
 
@@ -132,7 +132,7 @@ impl<'s, 'a> ControlZonotopes<'s, 'a> {
     }
 
     fn apart_in_space(&self, u: &[f64; 3]) -> [[f64; 3]; 6] {
-        let Stretch { arcs, rotations, squares, .. } = self.stretch;
+        let ArcPair { arcs, rotations, squares, .. } = &**self.stretch;
         let ends = [0, 1].map(|i| {
             let scale = [1.0, -1.0][i] * arcs[i].weight;
             let placed = |m: &Matrix<f64>, farthest: &[f64; 3]| {

@@ -4,7 +4,7 @@
 use super::super::SeparatingDirection;
 use super::super::gap::Stretch;
 use super::super::moving::Moving;
-use super::super::scene::Apart;
+use super::super::scene::Hint;
 use super::control_zonotopes::{ControlZonotopes, Found};
 use super::edges;
 use crate::tally::Tally;
@@ -15,7 +15,7 @@ pub(in crate::motion::continuous) fn separating(
     moving: &Moving<'_>,
     stretch: &Stretch<'_, f64>,
     times: [f64; 2],
-    known: &[Apart; 3],
+    known: &[Hint; 3],
     tally: &mut dyn Tally,
 ) -> Option<SeparatingDirection> {
     let mut turning = known.iter().flatten().filter(|direction| direction.fixed_in_space().is_none());
@@ -44,6 +44,19 @@ pub(in crate::motion::continuous) fn separating(
     })
 }
 
+/// A direction fixed in space that proves a stretch of two nodes, searched for from a first one. The frames of the
+/// bodies are left to triangles: a search in them costs as much as both tests of the nodes' halves.
+pub(in crate::motion::continuous) fn in_space(
+    moving: &Moving<'_>,
+    stretch: &Stretch<'_, f64>,
+    times: [f64; 2],
+    first: [f64; 3],
+    tally: &mut dyn Tally,
+) -> Option<[f64; 3]> {
+    let found = ControlZonotopes::in_space(stretch).separating_direction(&[first], tally);
+    confirmed(moving, found, times, tally)?.fixed_in_space()
+}
+
 /// A direction that was found, if it proves the stretch.
 fn confirmed(
     moving: &Moving<'_>,
@@ -61,7 +74,7 @@ pub(in crate::motion::continuous) fn of_edges(
     moving: &Moving<'_>,
     stretch: &Stretch<'_, f64>,
     times: [f64; 2],
-    known: &[Apart],
+    known: &[Hint],
     tally: &mut dyn Tally,
 ) -> Option<SeparatingDirection> {
     let u = known.iter().flatten().find_map(SeparatingDirection::fixed_in_space)?;

@@ -59,15 +59,14 @@
 //! }
 //! ```
 
-mod approach;
+pub(super) mod approach;
 mod control_zonotopes;
 pub(super) mod directions;
 mod edges;
 mod joined;
 
-use super::gap::Stretch;
-use super::scene::{Apart, Scene};
-use super::simplex_search::Search as Looked;
+use super::scene::{Hint, Position, Scene};
+use super::simplex_search::Outcome;
 use super::{FirstContact, FreeStretch, SeparatingDirection, ordinary_sizes};
 use crate::collision::Witness;
 use crate::motion::Motion;
@@ -120,7 +119,7 @@ pub fn first_contact_counted(
 struct Open {
     times: [f64; 2],
     /// Directions that separate the bodies at its ends, if they are known.
-    hints: [Apart; 2],
+    hints: [Hint; 2],
     /// Whether the bodies seem to meet at its end.
     meets: bool,
     /// The number of times that it was cut off where the gap was expected to vanish.
@@ -176,9 +175,9 @@ impl Search<'_, '_> {
         }
         if from == 0.0 && !self.is_start_known {
             self.is_start_known = true;
-            match self.scene.at(from, self.tally) {
-                Ok(witness) => return Decided::Contact([from; 2], witness),
-                Err(found) => hints[0] = found,
+            match self.scene.position_at(from, self.tally) {
+                Position::Meeting(witness) => return Decided::Contact([from; 2], witness),
+                Position::NotProved(found) => hints[0] = found,
             }
         }
         let width = until - from;
@@ -186,12 +185,12 @@ impl Search<'_, '_> {
             return self.decide_at_end(times, hints);
         }
         let middle = from + width / 2.0;
-        match self.look(middle, &hints) {
-            Look::Meets => {
+        match self.guess_at(middle, &hints) {
+            Guess::Meeting => {
                 self.open.push(Open { times: [middle, until], hints: [None, hints[1]], meets: false, cuts: 0 });
                 self.open.push(Open { times: [from, middle], hints: [hints[0], None], meets: true, cuts: 0 });
             }
-            Look::Apart(found) => {
+            Guess::Disjoint(found) => {
                 if let Some(direction) = stretch
                     .and_then(|stretch| directions::of_edges(&self.scene.moving, &stretch, times, &[found], self.tally))
                 {
@@ -209,14 +208,14 @@ impl Search<'_, '_> {
     }
 
     /// Decides about a stretch that is too short to be halved for a direction: the bodies meet at its end, or graze.
-    fn decide_at_end(&mut self, times: [f64; 2], hints: [Apart; 2]) -> Decided {
-        match self.scene.at(times[1], self.tally) {
-            Ok(witness) if times[1] - times[0] <= self.resolution => Decided::Contact(times, witness),
-            Ok(_) => {
+    fn decide_at_end(&mut self, times: [f64; 2], hints: [Hint; 2]) -> Decided {
+        match self.scene.position_at(times[1], self.tally) {
+            Position::Meeting(witness) if times[1] - times[0] <= self.resolution => Decided::Contact(times, witness),
+            Position::Meeting(_) => {
                 self.open.push(Open { times, hints: [hints[0], None], meets: true, cuts: 0 });
                 Decided::Not
             }
-            Err(_) => Decided::Grazing,
+            Position::NotProved(_) => Decided::Grazing,
         }
     }
 
@@ -225,20 +224,27 @@ impl Search<'_, '_> {
         let [from, until] = times;
         let width = until - from;
         if width <= self.resolution {
-            match self.scene.at(until, self.tally) {
-                Ok(witness) => return Decided::Contact(times, witness),
+            match self.scene.position_at(until, self.tally) {
+                Position::Meeting(witness) => return Decided::Contact(times, witness),
                 // it only seemed so
-                Err(found) => self.open.push(Open { times, hints: [hints[0], found], meets: false, cuts: 0 }),
+                Position::NotProved(found) => {
+                    self.open.push(Open { times, hints: [hints[0], found], meets: false, cuts: 0 })
+                }
             }
             return Decided::Not;
         }
-        let guess = if cuts % 3 < 2 { hints[0].and_then(|hint| self.guess(times, &hint)) } else { None };
-        let middle = guess.map_or(from + width / 2.0, |(time, _)| time);
+        let latest = if cuts % 3 < 2 {
+            hints[0]
+                .and_then(|hint| approach::latest_gap(&self.scene.moving, times, &hint, self.resolution, self.tally))
+        } else {
+            None
+        };
+        let middle = latest.map_or(from + width / 2.0, |(time, _)| time);
         let cuts = cuts.wrapping_add(1);
-        let (before, after) = match self.look(middle, &hints) {
-            Look::Meets => (Open { times: [from, middle], hints, meets: true, cuts }, [None; 2]),
-            Look::Apart(found) => {
-                let hints = [guess.map(|(_, direction)| direction).or(hints[0]), found];
+        let (before, after) = match self.guess_at(middle, &hints) {
+            Guess::Meeting => (Open { times: [from, middle], hints, meets: true, cuts }, [None; 2]),
+            Guess::Disjoint(found) => {
+                let hints = [latest.map(|(_, direction)| direction).or(hints[0]), found];
                 (Open { times: [from, middle], hints, meets: false, cuts: 0 }, [found, None])
             }
         };
@@ -248,50 +254,16 @@ impl Search<'_, '_> {
     }
 
     /// The position of the bodies at a time: by a search in doubles, exactly where that leaves a doubt.
-    fn look(&mut self, time: f64, hints: &[Apart; 2]) -> Look {
+    fn guess_at(&mut self, time: f64, hints: &[Hint; 2]) -> Guess {
         let first = hints.iter().rev().flatten().find_map(SeparatingDirection::fixed_in_space);
-        match self.scene.moving.looked_at(time, first, self.tally) {
-            Looked::Found(u) => Look::Apart(Some(SeparatingDirection::Space(u))),
-            Looked::Inside => Look::Meets,
-            Looked::Undecided => match self.scene.at(time, self.tally) {
-                Ok(_) => Look::Meets,
-                Err(found) => Look::Apart(found),
+        match self.scene.moving.search_at(time, first, self.tally) {
+            Outcome::Found(u) => Guess::Disjoint(Some(SeparatingDirection::Space(u))),
+            Outcome::Inside => Guess::Meeting,
+            Outcome::Undecided => match self.scene.position_at(time, self.tally) {
+                Position::Meeting(_) => Guess::Meeting,
+                Position::NotProved(found) => Guess::Disjoint(found),
             },
         }
-    }
-
-    /// The latest time before which a candidate keeps a gap, and the candidate, which may prove what is before. All of
-    /// them start from a direction that separates the bodies at the begin of the stretch.
-    fn guess(&mut self, times: [f64; 2], hint: &SeparatingDirection) -> Option<(f64, SeparatingDirection)> {
-        if !self.scene.moving.is_whole(times) {
-            return None;
-        }
-        let mut times = times;
-        let mut stretch = self.scene.moving.rounded_stretch(times);
-        let first = self.next_time(&stretch, hint, times)?;
-        if let Some(shorter) = approach::shorter(times, first) {
-            times = shorter;
-            stretch = self.scene.moving.rounded_stretch(times);
-        }
-        let mut best: Option<(f64, SeparatingDirection)> = None;
-        for direction in approach::candidates(&stretch, hint) {
-            let time = self.next_time(&stretch, &direction, times);
-            if let Some(time) = time.filter(|&time| best.is_none_or(|(latest, _)| latest < time)) {
-                best = Some((time, direction));
-            }
-        }
-        best
-    }
-
-    /// A time before the gap along a direction vanishes.
-    fn next_time(
-        &mut self,
-        stretch: &Stretch<'_, f64>,
-        direction: &SeparatingDirection,
-        times: [f64; 2],
-    ) -> Option<f64> {
-        self.tally.add(Operation::SupportEvaluation, stretch.support_evaluations(direction));
-        approach::next_time(&stretch.gap_along(direction), times, self.resolution)
     }
 
     /// Whether the bodies, as they are rounded at a time, are so near that finer stretches would tell little.
@@ -318,16 +290,16 @@ enum Decided {
     Grazing,
 }
 
-/// The place of two bodies at a time beside each other, not proved.
-enum Look {
+/// A guess of the position of two bodies to each other at a time.
+enum Guess {
     /// They seem to meet.
-    Meets,
+    Meeting,
     /// They seem not to.
-    Apart(Apart),
+    Disjoint(Hint),
 }
 
 /// The directions that are known: those at the ends of a stretch, then that of the stretch before it.
-fn known(free: &[FreeStretch], hints: &[Apart; 2]) -> [Apart; 3] {
+fn known(free: &[FreeStretch], hints: &[Hint; 2]) -> [Hint; 3] {
     let before = free.last().map(|stretch| stretch.direction);
     [hints[1], hints[0], before.filter(|before| Some(*before) != hints[0])]
 }

@@ -1,78 +1,92 @@
 //! The descent: pairs of parts with stretches of time, the earliest of each pair first.
 
+use std::rc::Rc;
+
 use super::answer::{FreePair, MeshContact, Part};
-use super::placed::{Parts, meet};
-use crate::bvh::{BoundingVolume, Bvh};
-use crate::motion::Motion;
-use crate::motion::constant_rate::Clock;
-use crate::motion::continuous::by_control_points::{SHORT_STRETCH, SHORTEST_STRETCH, directions};
-use crate::motion::continuous::moving::Moving;
-use crate::motion::continuous::scene::Apart;
-use crate::motion::continuous::simplex_search::Search;
+use super::placed::Parts;
+use super::sizes::Scene;
+use super::slice::Slice;
+use crate::bvh::BoundingVolume;
+use crate::motion::continuous::by_control_points::{SHORT_STRETCH, directions};
+use crate::motion::continuous::moving::{Moving, spans};
+use crate::motion::continuous::parts::body::Body;
+use crate::motion::continuous::scene::Hint;
 use crate::motion::continuous::{FreeStretch, SeparatingDirection};
 use crate::tally::{Operation, Tally};
 
 /// The number of pairs with stretches that are looked at.
 const PAIR_LIMIT: usize = 1 << 24;
 
+/// A stretch of two nodes is halved where one of them goes farther than so many times the larger one's size, and a node
+/// is opened where they go less far. The first number is of nodes whose volumes overlap at the middle, the second of
+/// those that are apart there. Both were found by trial.
+const FAR: [f64; 2] = [4.0, 2.0];
+
 /// A pair of parts and a stretch of time that is not decided yet.
-struct Open {
-    parts: [Part; 2],
-    times: [f64; 2],
+pub(super) struct Open<'a, V: BoundingVolume> {
+    pub(super) parts: [Part; 2],
+    pub(super) slice: Rc<Slice<'a, V>>,
     /// Directions that separate the parts at the ends or near them, if they are known.
-    hints: [Apart; 2],
+    pub(super) hints: [Hint; 2],
     /// Whether the parts are triangles that meet at the end.
-    meets: bool,
+    pub(super) meets: bool,
+    /// The number of times that the stretch was cut off where the gap was expected to vanish.
+    pub(super) cuts: u8,
 }
 
 /// Two times between which two triangles meet first, or between which neither was proved.
 #[derive(Debug, Clone, Copy)]
-struct Event {
-    time: [f64; 2],
-    triangles: [usize; 2],
-    is_contact: bool,
+pub(super) struct Event {
+    pub(super) time: [f64; 2],
+    pub(super) triangles: [usize; 2],
+    pub(super) is_contact: bool,
 }
 
-pub(super) struct Descent<'a, V> {
-    parts: [Parts<'a, V>; 2],
-    motions: [&'a Motion; 2],
-    resolution: f64,
+pub(super) struct Descent<'a, V: BoundingVolume> {
+    pub(super) parts: [Parts<'a, V>; 2],
+    pub(super) scene: &'a Scene<'a, V>,
+    pub(super) resolution: f64,
     /// A pair met at this time, or is in doubt until then: later times do not matter.
-    limit: f64,
+    pub(super) limit: f64,
     events: Vec<Event>,
-    free: Vec<FreePair>,
-    open: Vec<Open>,
+    pub(super) free: Vec<FreePair>,
+    pub(super) open: Vec<Open<'a, V>>,
+    /// The direction along which nodes were proved apart last: the next pair is near them.
+    last: [f64; 3],
 }
 
 impl<'a, V: BoundingVolume> Descent<'a, V> {
-    pub(super) fn new(hierarchies: [&'a Bvh<V>; 2], motions: [&'a Motion; 2], resolution: f64) -> Self {
+    pub(super) fn new(scene: &'a Scene<'a, V>, resolution: f64) -> Self {
         Self {
-            parts: hierarchies.map(Parts::new),
-            motions,
+            parts: scene.hierarchies.map(|hierarchy| Parts::new(hierarchy, scene.exponent)),
+            scene,
             resolution,
             limit: 1.0,
             events: Vec::new(),
             free: Vec::new(),
             open: Vec::new(),
+            last: [1.0, 0.0, 0.0],
         }
     }
 
     pub(super) fn first_contact(mut self, tally: &mut dyn Tally) -> MeshContact {
-        let mut times: Vec<f64> = self.motions.iter().flat_map(|motion| motion.breaks()).chain([0.0, 1.0]).collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        let root = [Part::Node(0); 2];
-        let stretches = times.windows(2).rev().map(|pair| [pair[0], pair[1]]);
-        self.open = stretches.map(|times| Open { parts: root, times, hints: [None; 2], meets: false }).collect();
+        let whole = |times| Open {
+            parts: [Part::Node(0); 2],
+            slice: Slice::new(self.scene, times),
+            hints: [None; 2],
+            meets: false,
+            cuts: 0,
+        };
+        self.open = spans(self.scene.motions()).into_iter().rev().map(whole).collect();
         for _ in 0..PAIR_LIMIT {
             let Some(pair) = self.open.pop() else { break };
             self.decide(pair, tally);
         }
         // what is left over is in doubt from its begin on
-        let left = self.open.iter().filter(|pair| pair.times[0] < self.limit);
-        let doubt = |pair: &Open| {
+        let left = self.open.iter().filter(|pair| pair.slice.times[0] < self.limit);
+        let doubt = |pair: &Open<'_, V>| {
             let triangles = self.first_triangles(pair.parts);
-            Event { time: pair.times, triangles, is_contact: false }
+            Event { time: pair.slice.times, triangles, is_contact: false }
         };
         let doubts: Vec<Event> = left.map(doubt).collect();
         self.events.extend(doubts);
@@ -97,99 +111,93 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         }
     }
 
-    /// Proves a pair free, opens it, or cuts its stretch in halves.
-    fn decide(&mut self, mut pair: Open, tally: &mut dyn Tally) {
-        let [from, until] = pair.times;
+    /// Proves a pair free, opens it, or cuts its stretch.
+    fn decide(&mut self, mut pair: Open<'a, V>, tally: &mut dyn Tally) {
+        let [from, until] = pair.slice.times;
         if from >= self.limit {
             return;
         }
         if until > self.limit {
-            pair = Open { times: [from, self.limit], hints: [pair.hints[0], None], meets: false, ..pair };
+            let slice = pair.slice.until(self.limit);
+            pair = Open { slice, hints: [pair.hints[0], None], meets: false, ..pair };
         }
-        let triangles = match pair.parts {
-            [Part::Triangle(i), Part::Triangle(j)] => Some([i, j]),
-            _ => None,
+        match pair.parts {
+            [Part::Node(i), Part::Node(j)] => self.decide_nodes(pair, [i, j], tally),
+            [Part::Triangle(i), Part::Triangle(j)] => self.decide_triangles(pair, [i, j], tally),
+            _ => unreachable!("leaves are opened together"),
+        }
+    }
+
+    /// Decides about two nodes. The test of their volumes where they stand at the middle comes first: it costs much less
+    /// than a search for a direction, which is in vain where they overlap.
+    fn decide_nodes(&mut self, pair: Open<'a, V>, nodes: [usize; 2], tally: &mut dyn Tally) {
+        tally.add(Operation::NodeTest, 1);
+        let slice = &pair.slice;
+        if slice.are_apart(nodes) == Some(false) {
+            return self.refine(pair, nodes, FAR[0]);
+        }
+        let [Some(a), Some(b)] = [0, 1].map(|i| self.parts[i].body(nodes[i])) else {
+            return self.open_nodes(&pair, nodes);
         };
-        tally.add(if triangles.is_some() { Operation::TriangleTest } else { Operation::NodeTest }, 1);
-        let bodies = [0, 1].map(|i| self.parts[i].body(pair.parts[i]));
-        let [Some(a), Some(b)] = bodies else { return self.open_larger(&pair) };
-        let moving = Moving::new([a, b], self.motions, [0.0; 2]);
-        let [from, until] = pair.times;
-        let middle = from + (until - from) / 2.0;
-        let hint = pair.hints.iter().flatten().find_map(SeparatingDirection::fixed_in_space);
-        let look = moving.looked_at(middle, hint, tally);
-        let found = match look {
-            Search::Found(u) => Some(SeparatingDirection::Space(u)),
-            Search::Inside | Search::Undecided => None,
+        let moving = Moving::new([Body::of(&a), Body::of(&b)], self.scene.motions(), [0.0; 2]);
+        let stretch = moving.stretch_of(slice.arcs.clone());
+        let Some(u) = directions::in_space(&moving, &stretch, slice.times, self.last, tally) else {
+            return self.refine(pair, nodes, FAR[1]);
         };
-        // parts that overlap at the middle have no direction
-        if look != Search::Inside && !pair.meets {
-            let before = self.free.last().filter(|free| free.parts == pair.parts).map(|free| free.stretch.direction);
-            let known = [found.or(pair.hints[1]), pair.hints[0], before];
-            let stretch = moving.rounded_stretch(pair.times);
-            let direction = directions::separating(&moving, &stretch, pair.times, &known, tally)
-                .or_else(|| directions::of_edges(&moving, &stretch, pair.times, &known, tally));
-            if let Some(direction) = direction {
-                return self.free.push(FreePair { parts: pair.parts, stretch: FreeStretch { from, until, direction } });
+        self.last = u;
+        let [from, until] = slice.times;
+        let direction = SeparatingDirection::Space(u);
+        self.free.push(FreePair { parts: pair.parts, stretch: FreeStretch { from, until, direction } });
+    }
+
+    /// Halves a stretch on which the nodes go far, or else opens a node.
+    fn refine(&mut self, pair: Open<'a, V>, nodes: [usize; 2], far: f64) {
+        let sizes = [0, 1].map(|i| self.parts[i].size(nodes[i]));
+        let is_far = pair.slice.width() > SHORT_STRETCH
+            && self.parts[1]
+                .body(nodes[1])
+                .is_some_and(|body| pair.slice.way_of(&body.center(), sizes[1]) > far * sizes[0].max(sizes[1]));
+        if is_far { self.cut(&pair, pair.slice.middle(), [None; 2]) } else { self.open_nodes(&pair, nodes) }
+    }
+
+    /// Takes both parts of a stretch, the first one next, with the directions that separate the pair at the cut or
+    /// prove what is before it, if they are known.
+    pub(super) fn cut(&mut self, pair: &Open<'a, V>, time: f64, [before, at]: [Hint; 2]) {
+        let Open { parts, ref slice, hints: [first, last], meets, cuts } = *pair;
+        let [earlier, later] = slice.cut_at(time);
+        self.open.push(Open { parts, slice: later, hints: [at.or(first), last], meets, cuts });
+        self.open.push(Open { parts, slice: earlier, hints: [before.or(first), at.or(last)], meets: false, cuts: 0 });
+    }
+
+    /// Opens the larger one of two nodes, and two leaves together.
+    fn open_nodes(&mut self, pair: &Open<'a, V>, nodes: [usize; 2]) {
+        let mut open = |parts: [Part; 2]| {
+            let Open { ref slice, hints, .. } = *pair;
+            self.open.push(Open { parts, slice: slice.clone(), hints, meets: false, cuts: 0 });
+        };
+        let sizes = [0, 1].map(|i| self.parts[i].size(nodes[i]));
+        let children = [0, 1].map(|i| self.parts[i].children(nodes[i]));
+        let opened = match children {
+            [None, None] => {
+                let [rows, columns] = [0, 1].map(|i| self.parts[i].triangles(nodes[i]));
+                for &row in rows.iter().rev() {
+                    columns.iter().rev().for_each(|&column| open([row, column].map(|t| Part::Triangle(t as usize))));
+                }
+                return;
             }
-        }
-        match triangles {
-            Some(triangles) => self.halve_triangles(&pair, triangles, found, tally),
-            None if found.is_some() && until - from > SHORT_STRETCH => self.halve(&pair, middle, found),
-            None => self.open_larger(&pair),
-        }
-    }
-
-    /// Takes both halves of a stretch, the first one next.
-    fn halve(&mut self, pair: &Open, middle: f64, found: Apart) {
-        let Open { parts, times: [from, until], hints: [first, last], meets } = *pair;
-        self.open.push(Open { parts, times: [middle, until], hints: [found.or(first), last], meets });
-        self.open.push(Open { parts, times: [from, middle], hints: [first, found.or(last)], meets: false });
-    }
-
-    /// Opens the larger one of two nodes.
-    fn open_larger(&mut self, pair: &Open) {
-        let [a, b] = [0, 1].map(|i| self.parts[i].size(pair.parts[i]));
-        let opened = usize::from(b > a);
-        for part in self.parts[opened].opened(pair.parts[opened]).into_iter().rev() {
+            [Some(_), None] => 0,
+            [None, Some(_)] => 1,
+            [Some(_), Some(_)] => usize::from(sizes[1] > sizes[0]),
+        };
+        for child in children[opened].into_iter().flatten().rev() {
             let mut parts = pair.parts;
-            parts[opened] = part;
-            self.open.push(Open { parts, meets: false, ..*pair });
+            parts[opened] = Part::Node(child);
+            open(parts);
         }
-    }
-
-    /// Decides about two triangles that no direction was found for.
-    fn halve_triangles(&mut self, pair: &Open, triangles: [usize; 2], found: Apart, tally: &mut dyn Tally) {
-        let [from, until] = pair.times;
-        let (width, middle) = (until - from, from + (until - from) / 2.0);
-        let is_begin = from == 0.0 || self.motions.iter().any(|motion| motion.breaks().any(|time| time == from));
-        if is_begin && self.meet(triangles, pair.times, 0, tally) {
-            return self.note(Event { time: [from; 2], triangles, is_contact: true });
-        }
-        if pair.meets && width <= self.resolution {
-            return self.note(Event { time: pair.times, triangles, is_contact: true });
-        }
-        if width <= SHORTEST_STRETCH && !pair.meets {
-            let is_contact = width <= self.resolution && self.meet(triangles, pair.times, 1, tally);
-            return self.note(Event { time: pair.times, triangles, is_contact });
-        }
-        if found.is_none() && self.meet(triangles, [from, middle], 1, tally) {
-            self.limit = self.limit.min(middle);
-            let Open { parts, hints, .. } = *pair;
-            return self.open.push(Open { parts, times: [from, middle], hints: [hints[0], None], meets: true });
-        }
-        self.halve(pair, middle, found);
-    }
-
-    /// Whether two triangles meet at an end of a stretch, exactly.
-    fn meet(&self, triangles: [usize; 2], times: [f64; 2], end: usize, tally: &mut dyn Tally) -> bool {
-        tally.add(Operation::ExactFallback, 1);
-        let arcs = self.motions.map(|motion| motion.exact_arc(times, Clock::Kept));
-        meet(self.parts.each_ref(), triangles, &arcs, end)
     }
 
     /// Keeps an event. After a contact nothing matters, and after a doubt what is farther off than the resolution.
-    fn note(&mut self, event: Event) {
+    pub(super) fn note(&mut self, event: Event) {
         let [from, until] = event.time;
         let limit = if event.is_contact { until } else { until.max(from + self.resolution) };
         self.limit = self.limit.min(limit);
@@ -198,14 +206,9 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
 
     /// A pair of triangles of two parts.
     fn first_triangles(&self, parts: [Part; 2]) -> [usize; 2] {
-        [0, 1].map(|i| {
-            let mut part = parts[i];
-            loop {
-                match part {
-                    Part::Triangle(triangle) => return triangle,
-                    Part::Node(_) => part = self.parts[i].opened(part)[0],
-                }
-            }
+        [0, 1].map(|i| match parts[i] {
+            Part::Triangle(triangle) => triangle,
+            Part::Node(node) => self.parts[i].triangles(node)[0] as usize,
         })
     }
 }

@@ -9,16 +9,18 @@
 //! Sections 1 and 6 name both halves: hierarchies of bounding volumes, and space-time volumes of bodies that move.
 //!
 //! # Method
-//! 1. Take a pair of nodes with a stretch of time, the earliest of its pair. A direction along which the control points
-//!    of its volumes are apart proves it free, as it does for two zonotopes.
-//! 2. Where the volumes seem disjoint at the middle of the stretch, its halves are taken, else the larger node is
-//!    opened.
-//! 3. Pairs of triangles are proved free in the same way, by their corners, and halved until they are; where both meet
-//!    at a time, exactly, nothing after it matters to any pair.
+//! 1. Take a pair of nodes with a stretch of time, the earliest of its pair. Their volumes are tested where they stand
+//!    at the middle of the stretch; if they are apart, a direction is searched for along which the control points of
+//!    both are apart, which proves the pair free, as it does for two zonotopes.
+//! 2. A stretch on which the nodes go farther than some times their size is halved; else the larger node is opened.
+//! 3. Pairs of triangles are proved free in the same way, by their corners, and also along directions that turn with
+//!    them. Others are cut shortly before the gap along a direction vanishes, or halved; where both triangles meet at a
+//!    time, exactly, nothing after it matters to any pair.
 //!
 //! # Complexity
-//! One search of a direction for each pair and stretch that is reached: the node tests of a few static questions where
-//! the step is no more than a quarter turn, O(m n) pairs at worst.
+//! One test of volumes for each pair of nodes and stretch that is reached, and a search for a direction where they are
+//! apart: a few times the node tests of one static question where the step is no more than half a turn, O(m n) pairs at
+//! worst.
 //!
 //! # Shapes
 //! `hierarchies`: over meshes as they stand before the motions; times in [0, 1]; triangles by their positions.
@@ -48,12 +50,16 @@
 mod answer;
 mod descent;
 mod placed;
+mod sizes;
+mod slice;
 #[cfg(test)]
 mod tests;
+mod triangles;
 
 pub use self::answer::{FreePair, MeshContact, NotRational, Part};
 
 use self::descent::Descent;
+use self::sizes::Scene;
 use super::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
 use crate::bvh::{BoundingVolume, Bvh};
 use crate::motion::Motion;
@@ -84,5 +90,6 @@ pub fn first_contact_counted<V: BoundingVolume>(
     if let Some(body) = motions.iter().position(|motion| !motion.is_rational()) {
         return Err(NotRational { body });
     }
-    Ok(Descent::new(hierarchies, motions, resolution.max(FINEST_RESOLUTION)).first_contact(tally))
+    let scene = Scene::new(hierarchies, motions);
+    Ok(Descent::new(&scene, resolution.max(FINEST_RESOLUTION)).first_contact(tally))
 }

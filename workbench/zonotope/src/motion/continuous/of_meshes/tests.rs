@@ -207,15 +207,21 @@ fn meshes_that_meet_at_the_start_meet_then() {
 }
 
 #[test]
-fn sizes_at_the_ends_of_the_doubles_have_an_answer() {
-    for size in [1e-300, 1e300] {
-        let at = |x: f64| triangle([[x, 0.0, 0.0], [x, size, 0.0], [x, 0.0, size]]);
-        let hierarchies = [at(0.0), at(4.0 * size)].map(|mesh| Bvh::<Zonotope6>::build(&mesh));
-        let moved = |x: f64| Motion::translation([x, 0.0, 0.0]).expect("finite");
-        let near = first_contact(hierarchies.each_ref(), [&moved(3.0 * size), &Motion::rest()]).expect("rational");
-        assert_ne!(near.name(), "contact");
-        let over = first_contact(hierarchies.each_ref(), [&moved(5.0 * size), &Motion::rest()]).expect("rational");
-        assert_ne!(over.name(), "separate");
+fn the_answer_is_the_same_at_every_size() {
+    for size in [1e-310, 1e-300, 1e-30, 1.0, 1e30, 1e300] {
+        // a tilted triangle, of which the corner on the axis is met first
+        let tilted = |x: f64, tilt: f64| triangle([[x, 0.0, 0.0], [x + tilt, size, 0.0], [x + tilt, 0.0, size]]);
+        let meshes = [tilted(0.0, 0.0), tilted(4.0 * size, size)];
+        let hierarchies = meshes.each_ref().map(Bvh::<Zonotope6>::build);
+        let turned = |x: f64| {
+            let end = piece([3.0, 1.0, 0.0, 0.0], [0.0; 3], [x, 0.0, 0.0]);
+            Motion::from_pieces(&[end]).expect("the parts are a motion")
+        };
+        let near = first_contact(hierarchies.each_ref(), [&turned(3.0 * size), &Motion::rest()]).expect("rational");
+        assert_eq!(near.name(), "separate", "{size}");
+        let over = first_contact(hierarchies.each_ref(), [&turned(5.0 * size), &Motion::rest()]).expect("rational");
+        let MeshContact::Contact { time, .. } = over else { panic!("{size}: {over:?}") };
+        assert!(time[0] < 0.8 + 1e-9 && time[1] > 0.8 - 1e-9, "{size}: {time:?}");
     }
 }
 

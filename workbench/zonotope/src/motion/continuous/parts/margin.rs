@@ -38,21 +38,26 @@ impl Margin {
     pub(in crate::motion::continuous) const NONE: Self =
         Self { distance: 0.0, axis: [0.0; 3], of_other: 0.0, of_normals: 0.0 };
 
-    /// The margins of a body that turns about an axis and is off by an angle: by its reach from the axis, its stretch,
-    /// and those of the other body.
+    /// The margins of a body that turns about an axis and is off by an angle: by the largest distance of its points
+    /// from the axis, its stretch, and those of the other body.
     pub(in crate::motion::continuous) fn new(
         angle: f64,
         axis: [f64; 3],
-        reach: f64,
+        own_from_axis: f64,
         [(arc, body), other]: [(&Arc<f64>, Body<'_>); 2],
     ) -> Self {
         let [from_axis, from_base] = distances(arc, axis, other);
         let own = norm_of_any_size(&arc.arm_of(&body.center())) / arc.weight + body.magnitude();
         let off = |distance: f64| (angle * distance * FIVE_ROUNDINGS).next_up();
-        Self { distance: (angle * reach).next_up(), axis, of_other: off(from_axis), of_normals: off(from_base + own) }
+        Self {
+            distance: (angle * own_from_axis).next_up(),
+            axis,
+            of_other: off(from_axis),
+            of_normals: off(from_base + own),
+        }
     }
 
-    /// Whether it is a bound: angles and reaches of any size may leave the range of doubles.
+    /// Whether it is a bound: angles and distances of any size may leave the range of doubles.
     pub(in crate::motion::continuous) fn is_finite(&self) -> bool {
         self.total().is_finite() && self.axis.iter().all(|c| c.is_finite())
     }

@@ -27,7 +27,7 @@ pub(in crate::motion::continuous) struct Rates {
     /// The largest change of that rate.
     pub(in crate::motion::continuous) change: f64,
     /// Σ |v⊥| over the generators, and |c⊥| of the centre from the base.
-    pub(in crate::motion::continuous) reach: f64,
+    pub(in crate::motion::continuous) from_axis: f64,
     /// The way of the base.
     pub(in crate::motion::continuous) travel: [f64; 3],
 }
@@ -36,8 +36,15 @@ impl Rates {
     pub(in crate::motion::continuous) fn of(arc: &Arc<f64>, body: &Body<'_>) -> Self {
         let [from, to] = &arc.turns;
         let [x, y, z] = [0, 1, 2].map(|k| (arc.base[1][k] - arc.base[0][k]) / arc.weight);
-        let still =
-            Self { axis: [0.0; 3], axis_error: 0.0, angle: 0.0, rate: 0.0, change: 0.0, reach: 0.0, travel: [x, y, z] };
+        let still = Self {
+            axis: [0.0; 3],
+            axis_error: 0.0,
+            angle: 0.0,
+            rate: 0.0,
+            change: 0.0,
+            from_axis: 0.0,
+            travel: [x, y, z],
+        };
         if arc.is_translation {
             return still;
         }
@@ -72,21 +79,21 @@ impl Rates {
         let own = unit(own);
         let off_axis = |v: &[f64; 3]| norm_of_any_size(&cross(&own, v));
         let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
-        let reach = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
+        let from_axis = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
         let size = body.magnitude() + sum_norm(&body.center()) + sum_norm(&arc.arm) / arc.weight;
-        let reach = reach * RATE_ROUNDING + (RATE_ROUNDING - 1.0 + axis_error) * size;
+        let from_axis = from_axis * RATE_ROUNDING + (RATE_ROUNDING - 1.0 + axis_error) * size;
         let angle = 2.0 * libm::atan((sine + error) / w.max(0.0));
-        Self { axis: unit(axis), axis_error, angle, rate, change, reach, travel: still.travel }
+        Self { axis: unit(axis), axis_error, angle, rate, change, from_axis, travel: still.travel }
     }
 
     /// A bound of the speed of a point of the body along a unit direction, beside that of the base.
     pub(in crate::motion::continuous) fn speed_along(&self, u: &[f64; 3]) -> f64 {
-        self.rate * self.reach * self.off_axis(u)
+        self.rate * self.from_axis * self.off_axis(u)
     }
 
     /// The largest second derivative of the place of a point along a unit direction, summed up over the generators.
     pub(in crate::motion::continuous) fn bend_along(&self, u: &[f64; 3]) -> f64 {
-        (self.rate * self.rate + self.change) * self.reach * self.off_axis(u)
+        (self.rate * self.rate + self.change) * self.from_axis * self.off_axis(u)
     }
 
     fn off_axis(&self, u: &[f64; 3]) -> f64 {

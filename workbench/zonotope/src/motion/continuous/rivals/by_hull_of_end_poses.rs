@@ -35,18 +35,12 @@
 //! assert_eq!(first_meeting_stretch([&cube, &other], [&right, &Motion::rest()], 3), Some(1.0 / 3.0));
 //! ```
 
-use crate::collision::distance::NearestSimplex;
 use crate::motion::Motion;
+use crate::motion::continuous::simplex_search::{Lowest, Outcome, search};
 use crate::numeric::lanes::extreme_sum;
 use crate::numeric::linear::dot;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
-
-/// Steps of a search; hulls that are not separated by then are taken to meet.
-const STEP_LIMIT: usize = 64;
-
-/// The search ends where the nearest point is within this share of the farthest vertex.
-const RELATIVE_DISTANCE: f64 = 1e-24;
 
 /// The begin of the first of so many equal stretches on which the hulls of the bodies at both ends meet.
 pub fn first_meeting_stretch(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], stretches: u32) -> Option<f64> {
@@ -61,24 +55,15 @@ pub fn first_meeting_stretch(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], s
     })
 }
 
+/// Whether no direction is found that separates the hulls.
 fn hulls_meet([a, b]: [&Zonotope<3>; 2], [p, q]: [&[Pose; 2]; 2]) -> bool {
-    let mut u = [1.0, 0.0, 0.0];
-    let mut simplex = NearestSimplex::<3>::new();
-    for _ in 0..STEP_LIMIT {
+    let found = search(&[[1.0, 0.0, 0.0]], 0.0, |u| {
         // the point of the difference of the hulls that is least along u
-        let (near, far) = (farthest(b, q, &u.map(|c: f64| -c)), farthest(a, p, &u));
-        let vertex = [0, 1, 2].map(|k| near[k] - far[k]);
-        if dot(&u, &vertex) > 0.0 {
-            return false;
-        }
-        let Some(nearest) = simplex.add(vertex) else { return true };
-        let square = dot(&nearest, &nearest);
-        if simplex.is_full() || square.is_nan() || square <= RELATIVE_DISTANCE * simplex.largest_square() {
-            return true;
-        }
-        u = nearest;
-    }
-    true
+        let (near, far) = (farthest(b, q, &u.map(|c| -c)), farthest(a, p, u));
+        let point = [0, 1, 2].map(|k| near[k] - far[k]);
+        Lowest { point, is_found: dot(u, &point) > 0.0 }
+    });
+    !matches!(found, Outcome::Found(_))
 }
 
 /// The point of a body at two poses that is farthest along a direction.

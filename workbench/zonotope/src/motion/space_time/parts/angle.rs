@@ -1,4 +1,4 @@
-//! Bounds of sines, cosines and chords. The functions of libm are within one unit in the last place of the exact ones,
+//! Bounds of sines, cosines, chords and products with them. The functions of libm are within one unit in the last place of the exact ones,
 //! so that the second double beyond a value is a bound.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -29,6 +29,12 @@ pub(in super::super) fn least_cosine(x: f64) -> f64 {
 /// A number not below the distance of two points of the unit circle that are at most an angle apart.
 pub(in super::super) fn chord_above(angle: f64) -> f64 {
     2.0 * largest_sine(angle / 2.0)
+}
+
+/// A bound of the product of two numbers that are not negative: the double above the rounded one, which may be 0 where
+/// the product underflows, and 0 where a factor is 0.
+pub(in super::super) fn product_above(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
 }
 
 /// The cosine and the sine.

@@ -2,7 +2,7 @@
 //!
 //! | file | content |
 //! |---|---|
-//! | `angle` | bounds of sines and chords |
+//! | `angle` | bounds of sines, chords and products with them |
 //! | `plane` | the axis and two directions orthogonal to it, exactly and rounded |
 //! | `scaled_body` | a body seen from the axis, in numbers of ordinary size |
 //! | `shadow` | its projection along the axis: the vertices, and the farthest of them |
