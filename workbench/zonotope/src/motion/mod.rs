@@ -30,11 +30,11 @@
 //! A motion whose quaternion goes linearly in the time between rational ones is a constructor in `path` that makes
 //! pieces, as [`Motion::through`] does: the volumes, the first contacts and their proofs need nothing more. Any other
 //! is a variant beside the two of `path`, with the functions that match on them: its arcs are rational and near it, and
-//! `as_sweep` gives a sweep around it. `angle_off` and `distance_from_axis` bound how far its arcs are off by an angle about one
-//! axis, which is all that `continuous/parts/margin` subtracts: a motion whose base is off, too, as one that is thrown,
-//! needs a bound of its own there and a volume that holds more than its sweep. What a question states is read in the
-//! crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier (`motion/path`), whose
-//! `Motion` gets the same variant.
+//! `as_sweep` gives a sweep around it. `angle_off` and `distance_from_axis` bound how far its arcs are off by an angle
+//! about one axis, which is all that `continuous/parts/margin` subtracts: a motion whose base is off, too, as one that
+//! is thrown, needs a bound of its own there and a volume that holds more than its sweep. What a question states is
+//! read in the crate `batch` (`kinds/motion/stated`), and once more, without this crate, in the verifier
+//! (`motion/path`), whose `Motion` gets the same variant.
 
 mod arc;
 mod bernstein;

@@ -20,7 +20,7 @@ const PAIR_LIMIT: usize = 1 << 24;
 /// A stretch of two nodes is halved where one of them goes farther than so many times the larger one's size, and a node
 /// is opened where they go less far. The first number is of nodes whose volumes overlap at the middle, the second of
 /// those that are apart there. Both were found by trial.
-const FAR: [f64; 2] = [4.0, 2.0];
+const LONGEST_WAYS: [f64; 2] = [4.0, 2.0];
 
 /// A pair of parts and a stretch of time that is not decided yet.
 pub(super) struct Open<'a, V: BoundingVolume> {
@@ -128,13 +128,13 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         }
     }
 
-    /// Decides about two nodes. The test of their volumes where they stand at the middle comes first: it costs much less
-    /// than a search for a direction, which is in vain where they overlap.
+    /// Decides about two nodes. The test of their volumes where they stand at the middle comes first: it costs much
+    /// less than a search for a direction, which is in vain where they overlap.
     fn decide_nodes(&mut self, pair: Open<'a, V>, nodes: [usize; 2], tally: &mut dyn Tally) {
         tally.add(Operation::NodeTest, 1);
         let slice = &pair.slice;
         if slice.are_apart(nodes) == Some(false) {
-            return self.refine(pair, nodes, FAR[0]);
+            return self.refine(pair, nodes, LONGEST_WAYS[0]);
         }
         let [Some(a), Some(b)] = [0, 1].map(|i| self.parts[i].body(nodes[i])) else {
             return self.open_nodes(&pair, nodes);
@@ -142,7 +142,7 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         let moving = Moving::new([Body::of(&a), Body::of(&b)], self.scene.motions(), [0.0; 2]);
         let stretch = moving.stretch_of(slice.arcs.clone());
         let Some(u) = directions::in_space(&moving, &stretch, slice.times, self.last, tally) else {
-            return self.refine(pair, nodes, FAR[1]);
+            return self.refine(pair, nodes, LONGEST_WAYS[1]);
         };
         self.last = u;
         let [from, until] = slice.times;

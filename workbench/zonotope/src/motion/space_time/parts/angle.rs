@@ -1,5 +1,5 @@
-//! Bounds of sines, cosines, chords and products with them. The functions of libm are within one unit in the last place of the exact ones,
-//! so that the second double beyond a value is a bound.
+//! Bounds of sines, cosines, chords and products with them. The functions of libm are within one unit in the last place
+//! of the exact ones, so that the second double beyond a value is a bound.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
