@@ -7,15 +7,16 @@ use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::{Ring, dot};
 
-/// A motion between two times, over the numbers T. P and w are given times a positive number, the weight.
+/// A motion between two times, over the numbers T. P and w are given times a positive number, the weight, so that
+/// nothing is divided where an arc is cut out of a motion.
 #[derive(Debug, Clone)]
 pub(super) struct Arc<T> {
     /// q at both ends, of any length.
     pub(super) turns: [Quaternion<T>; 2],
     /// The weight times P at both ends.
     pub(super) base: [[T; 3]; 2],
-    /// A bound, but for a few roundings, of the sum of the magnitudes of the terms from which a base is computed, times
-    /// the weight.
+    /// A bound of |t|_1 summed over the terms t of which a base is computed, times the weight, but for a few roundings:
+    /// what the rounding of a base is measured by.
     pub(super) base_size: f64,
     /// The weight times w.
     pub(super) arm: [T; 3],

@@ -44,7 +44,8 @@ pub(super) fn multiple<T: Ring, const A: usize>(factor: &T, a: &[T; A]) -> [T; A
 /// The number of times that a polynomial with a coefficient that is not positive is halved, at most.
 const MOST_HALVINGS: u32 = 4;
 
-/// The inverses of the binomial coefficients of degree 5: those of scaled Bernstein coefficients.
+/// The inverses of the binomial coefficients of degree 5, that of a gap (two squares of quaternions and a path): those
+/// of scaled Bernstein coefficients.
 pub(super) const INVERSE_BINOMIALS: [f64; 6] = [1.0, 0.2, 0.1, 0.1, 0.2, 1.0];
 
 /// The Bernstein coefficients, not scaled.

@@ -5,11 +5,12 @@
 //! about one axis it turns through every angle between its ends, and ends that are moved outwards by more than their
 //! rounding contain those of the motion.
 //!
-//! Let θ be the angle of an arc and a = θ/4. The rotation by a linear quaternion is off by 2 |atan(x tan a) − x a|
-//! for an x in [−1, 1]. With t = tan a < 0.9 the series of both terms alternates and decreases, as each term is at
-//! most 1.2 t² times the one before it, so that the difference is at most its first term,
-//! t³/3 · |x − x³| ≤ 2 t³ / (9 √3). Both quaternions have one length there; rounded ones are of lengths that differ by
-//! 2^-51, which the roundings that are added to the angle cover.
+//! Let θ be the angle of an arc, a = θ/4 and t = tan a. Measured from its middle, at the share (1 + x) / 2 of its time,
+//! −1 ≤ x ≤ 1, a linear quaternion is at the angle atan(x t) and that of the motion at x a = x atan t, and rotations
+//! are by twice these angles. For x ≥ 0 the difference of the angles is the integral over 0 ≤ τ ≤ t of x / (1 + x² τ²)
+//! − x / (1 + τ²) ≤ x (1 − x²) τ², which is at most x (1 − x²) t³ / 3 ≤ 2 t³ / (9 √3); so the rotations differ by at
+//! most 4 t³ / (9 √3). Both quaternions have one length there; those of rounded ones differ by 2^-51, which moves the
+//! angle between them by less than the rounding of an end: a rounding is added for the ends, and one for that.
 
 use super::arc::Arc;
 use super::scalar::Scalar;
@@ -25,8 +26,8 @@ use crate::zonotope::Zonotope;
 /// The largest angle of an arc: a quarter turn. tan(θ/4) is 0.415 there.
 pub(super) const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
-/// A quarter of an angle of which the tangent is below 0.9; larger ones have no bound.
-const LARGEST_QUARTER: f64 = 0.7;
+/// A fourth of an angle of which the tangent is below 0.9; larger ones have no bound.
+const LARGEST_FOURTH: f64 = 0.7;
 
 /// Whether an arc must have each placement at its time. A question about two bodies in motion asks for `Untimed` where
 /// one of them only turns and the other rests, every question about one time for `Timed`.
@@ -120,11 +121,11 @@ impl ConstantRate {
             return 0.0;
         }
         let rounding = self.rounding();
-        let quarter = (self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0;
-        if quarter.is_nan() || quarter >= LARGEST_QUARTER {
+        let fourth = (self.angle.abs() * (to - from) + 2.0 * rounding) / 4.0;
+        if fourth.is_nan() || fourth >= LARGEST_FOURTH {
             return f64::INFINITY;
         }
-        let tangent = libm::tan(quarter);
+        let tangent = libm::tan(fourth);
         CHORD_OF_A_LINEAR_QUATERNION * tangent * tangent * tangent + 2.0 * rounding
     }
 
@@ -140,15 +141,16 @@ impl ConstantRate {
         (distance + terms * 4.0 * (UNIT * size + f64::from_bits(1))).next_up()
     }
 
-    /// A bound of the angle by which an end of an arc is off.
+    /// A bound of the angle of the rotation by which an end of an arc is off.
     fn rounding(&self) -> f64 {
         ANGLE_ROUNDING + ANGLE_ROUNDING_OF_A_TURN * self.angle.abs()
     }
 
-    /// The arc between two times that go up: with [`Timing::Untimed`] the first end is moved back and the last one on.
+    /// The arc between two times that go up: with [`Timing::Untimed`] the first end is moved back and the last one on,
+    /// by twice the bound of what rounds them, once for the end and once for the one that is moved.
     fn between<T: Scalar>(&self, times: [f64; 2], timing: Timing, axis: &[T; 3]) -> Arc<T> {
         let outwards = match timing {
-            // `half` is half an angle, so that the angle moves by twice the bound of its rounding
+            // `half` is half an angle: the angle moves by twice as much
             Timing::Untimed if self.angle != 0.0 => self.rounding().copysign(self.angle),
             // no turn is not rounded
             Timing::Untimed | Timing::Timed => 0.0,

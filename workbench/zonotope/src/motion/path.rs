@@ -165,8 +165,8 @@ impl Motion {
     }
 
     /// The rational motion through poses, the first at the time 0 and the last at 1: between two of them the
-    /// quaternion goes linearly along the shorter arc, of two that are half a turn the one to the quaternion as it is
-    /// given, and the translation goes linearly, too.
+    /// quaternion goes linearly along the shorter arc, where both ways are half a turn, the one to the
+    /// quaternion as it is given, and the translation goes linearly, too.
     ///
     /// # Errors
     /// [`MotionError`] names the first pose with a number that is not finite, a quaternion of length 0, or a time that
@@ -283,14 +283,15 @@ impl Motion {
     }
 
     /// Whether the motion between two times is one arc: of a rotation at constant rate, at most a quarter turn.
-    pub(super) fn is_one_stretch(&self, [from, to]: [f64; 2]) -> bool {
+    pub(super) fn is_one_arc(&self, [from, to]: [f64; 2]) -> bool {
         match &self.0 {
             Kind::Rational(pieces) => self.piece_at(pieces, [from, to]).until >= to,
             Kind::ConstantRate(motion) => motion.angle().abs() * (to - from) <= LARGEST_ANGLE,
         }
     }
 
-    /// The angle between two times, in quarter turns; 0 for rational motions, each part of which is one arc.
+    /// The number of quarter turns that a motion at its largest rate would make between two times, by which the time is
+    /// cut evenly; 0 for rational motions, each part of which is one arc.
     pub(super) fn quarter_turns(&self, [from, to]: [f64; 2]) -> f64 {
         match &self.0 {
             Kind::Rational(_) => 0.0,

@@ -76,7 +76,7 @@ impl Piece {
         let (from, to) = (from.map(Dyadic::from_f64), to.map(Dyadic::from_f64));
         let [point, translation] = [axis_point, translation].map(exact);
         let Standing { turn, offset, weight } = standing;
-        // R(q) x + b goes to p + s v + R(q(s)) (R(turn) x + b − p), and b − p = R(turn) w
+        // R(turn) x + b goes to p + s v + R(q(s)) (R(turn) x + b − p), and b − p = R(turn) w
         let off = exact_linear::difference(offset, &exact_linear::multiple(weight, &point));
         let back = conjugate(turn);
         let arm = image(&polar_rotation(&back, &back), &off);

@@ -1,5 +1,9 @@
-//! Numbers of which a bound of a gap is made: doubles for guesses, doubles with a bound on their error for decisions,
-//! exact ones where these are in doubt. Pairs of doubles solve for the coefficients of a contact.
+//! Numbers of which polynomials in the time are made: doubles for guesses, doubles with a bound on their error for
+//! decisions, exact ones where these are in doubt, and pairs of doubles for the last digits.
+//!
+//! The polynomials bound the *gap* of two bodies along a direction u: the least u · y over the second one's points,
+//! less the largest u · x over the first one's. The *reach* of a body along u is Σ |u · g| over its generators, half
+//! its extent.
 
 use crate::numeric::bounded::Bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -16,7 +20,7 @@ pub(super) trait Scalar: Ring {
     /// An exact number, or the nearest one there is.
     fn near(exact: &Dyadic) -> Self;
 
-    /// The magnitude, or more where the sign is in doubt.
+    /// The magnitude, with the same bound on its error.
     fn magnitude(&self) -> Self;
 
     /// Whether the exact value is greater than 0 beyond doubt.

@@ -283,8 +283,9 @@ pub(crate) const SINE_OF_QUATERNIONS: f64 = 32.0 * UNIT;
 /// Factor by which bounds of the rates and reaches of moving bodies are multiplied, and a share of their sizes that is
 /// added: 1 + 2^-30.
 ///
-/// A reach is a sum of rounded lengths: of n < 2^20 terms it is off by less than 2^-32 of itself, of a cross product by
-/// 8 u of the size. Rates go through fewer than fifty roundings beside that of the sine, [`SINE_OF_QUATERNIONS`].
+/// A distance from an axis is a sum of rounded lengths, to which a rounding for each term is added beside this; a cross
+/// product is off by 8 u of the size. Rates go through fewer than fifty roundings beside that of the sine,
+/// [`SINE_OF_QUATERNIONS`].
 pub(crate) const RATE_ROUNDING: f64 = 1.0 + power_of_two(-30);
 
 /// Error of each coefficient of a gap between moving bodies in doubles, beside the sizes of its factors: 2^15 units.

@@ -106,8 +106,11 @@ fn read(surfaces: [MovingSurface<'_>; 2]) -> Result<([Mesh; 2], [Path; 2]), Stri
         }
         check_finite("a mesh", vertices.iter().flatten())?;
         motion.check_finite()?;
-        if let Motion::ConstantRate { .. } = motion {
-            return Err("answered a question about a mesh that turns at constant rate".to_owned());
+        match motion {
+            Motion::Rest | Motion::Pieces(_) => {}
+            Motion::ConstantRate { .. } => {
+                return Err("answered a question about a mesh that turns at constant rate".to_owned());
+            }
         }
     }
     let numbers = surfaces.iter().flat_map(|surface| {

@@ -115,6 +115,8 @@ fn step(scene: &Scene<'_>, [from, end]: [f64; 2], tally: &mut dyn Tally) -> Opti
     }
     let stretch = scene.moving.stretch([from, until]);
     let size = stretch.size_of(0) + stretch.size_of(1);
+    // the margin once for the begin and once for the end; an arc that need not be timed is moved outwards by more, but
+    // then its rates, which are taken, are those of the longer arc
     let distance = distance - POSE_ROUNDING * size - 2.0 * scene.moving.margin([from, until]);
     let [first, second] = stretch.rates();
     let nearing = dot(&unit, &first.travel) - dot(&unit, &second.travel) + (RATE_ROUNDING - 1.0) * size;

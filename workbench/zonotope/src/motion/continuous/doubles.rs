@@ -8,9 +8,13 @@
 //!
 //! | direction | magnitudes, in T_a T_b L times the sum of the magnitudes of its coordinates | of which |
 //! |---|---|---|
-//! | in space | 20 | rotations 2, 4, 2 T, times 1, 2, 1 T: 2, 8, 12, 8, 2, and 20 at most of the next degree |
+//! | in space | 20 | the scaled coefficients of a rotation, 2, 4, 2 T, times those of the other square, 1, 2, 1 T: 2, 8, 12, 8, 2, and of the next degree at most 20 |
 //! | in a body | 20 | the rotation of one as the other sees it: 2, 8, 12, 8, 2 T_a T_b |
-//! | normal of edges | 80 | two products of (2, 4, 2) T, and the bases |
+//! | normal of edges | 80 | the rotations of both, 2, 4, 2 T each: 4, 16, 24, 16, 4, at most 40 of the next degree, and each determinant has two products |
+//!
+//! A margin along a direction may be √3 times the sum of the magnitudes of its coordinates, and L counts it once: it is
+//! multiplied by the product of the squares alone, 1, 4, 6, 4, 1 T_a T_b and of the next degree at most 10, and 10 √3
+//! is below 20.
 //!
 //! Halving a polynomial takes means of its coefficients, which makes them no larger, and five roundings each time.
 //!

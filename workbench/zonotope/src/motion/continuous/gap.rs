@@ -125,11 +125,11 @@ impl<'a, T: ReachScalar> Stretch<'a, T> {
     fn gap_in_space(&self, u: &[T; 3], margin: f64) -> GapBound<T> {
         let [a, b] = &self.arcs;
         let [(to_first, first), (to_second, second)] = [0, 1].map(|i| self.along(i, u));
-        let toward = sum(&to_first, &multiple(&a.weight, &first));
-        let away = difference(&to_second, &multiple(&b.weight, &second));
+        let end_of_first = sum(&to_first, &multiple(&a.weight, &first));
+        let end_of_second = difference(&to_second, &multiple(&b.weight, &second));
         let bases = difference(&multiple(&a.weight, &b.base_along(u)), &multiple(&b.weight, &a.base_along(u)));
-        let apart: [T; 5] = convolution(&self.squares[0], &multiple(&a.weight, &away));
-        let apart = difference(&apart, &convolution(&self.squares[1], &multiple(&b.weight, &toward)));
+        let apart: [T; 5] = convolution(&self.squares[0], &multiple(&a.weight, &end_of_second));
+        let apart = difference(&apart, &convolution(&self.squares[1], &multiple(&b.weight, &end_of_first)));
         let apart = self.without(margin, apart);
         sum(&convolution(&self.square, &bases), &elevated(&apart))
     }
@@ -156,11 +156,11 @@ impl<'a, T: ReachScalar> Stretch<'a, T> {
         let pulled = self.seen().each_ref().map(|m| pull(m, u));
         let weight = a.weight.times(&b.weight);
         let [reach] = self.bodies[own].reaches(Side::Away, std::array::from_ref(u));
-        let ends = weight.times(&reach).plus(&b.weight.times(&dot(u, &a.arm_of(&self.bodies[own].center()))));
+        let own_end = weight.times(&reach).plus(&b.weight.times(&dot(u, &a.arm_of(&self.bodies[own].center()))));
         let arm = b.arm_of(&self.bodies[other].center()).map(|c| c.times(&a.weight));
         let arms = pulled.each_ref().map(|u| dot(u, &arm));
         let apart = difference(&arms, &multiple(&weight, &self.bodies[other].reaches(Side::Toward, &pulled)));
-        let apart = self.without(margin, difference(&apart, &multiple(&ends, &self.square)));
+        let apart = self.without(margin, difference(&apart, &multiple(&own_end, &self.square)));
         let turned = self.rotations[own].each_ref().map(|m| image(m, u));
         let bases: [T; 4] = (0..3).fold(std::array::from_fn(|_| T::ZERO), |total, k| {
             let along = turned.each_ref().map(|v| v[k].clone());

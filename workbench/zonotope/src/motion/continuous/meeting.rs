@@ -25,7 +25,8 @@ struct System<T> {
     scale: T,
 }
 
-/// Whether the coefficients prove a common point at the placements of a rational motion.
+/// Whether the coefficients prove a common point at the placements of a rational motion. Those that are not of the
+/// basis are at most 1 in magnitude, as a location gives them.
 pub(super) fn is_proved(bodies: [&Zonotope<3>; 2], arcs: [&Arc<Dyadic>; 2], witness: &Witness) -> bool {
     let Some(System { columns: [a, b, c], right, .. }) = system(bodies, arcs, witness) else { return false };
     let cross_products = cyclic_cross_products(&a, &b, &c);

@@ -14,6 +14,10 @@
 //! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
 //! | [`rivals`] | what is done elsewhere and proves nothing |
 //!
+//! The files are read in this order: `parts/body`, `gap` (two bodies on a stretch, and the polynomial below their gap),
+//! `doubles`, `parts/margin`, `moving`, `meeting`, `scene` (the questions at one time), `simplex_search`; then
+//! `by_control_points`, and any other method.
+//!
 //! [`Method`] names those that prove their answers. Of a scene they may find different stretches, and
 //! each may leave it grazing; never does one prove a contact and another that the bodies are separate.
 //!

@@ -20,7 +20,7 @@ use crate::zonotope::pose::Pose;
 /// The share of the distance that the gap along a direction has at least, if it is to tell when the bodies meet.
 const NEAR_THE_SHORTEST: f64 = 0.9;
 
-/// The number of shares of a part of the time at whose multiples it is cut.
+/// The number of shares of a span of time at whose multiples it is cut.
 const SHARES: f64 = 64.0;
 
 /// Two bodies and their motions.
@@ -51,16 +51,17 @@ impl<'a> Moving<'a> {
         Self { bodies, motions, from_axes, timing }
     }
 
-    /// The stretches that are asked about first: the parts of the motions, each cut evenly where a body turns by more
+    /// The stretches that are asked about first: the spans of the motions, each cut evenly where a body turns by more
     /// than a quarter turn. Halving would cut into more, and look at the bodies at each cut.
     pub(super) fn first_stretches(&self) -> Vec<[f64; 2]> {
-        spans(self.motions).into_iter().flat_map(|part| self.cut(part)).collect()
+        spans(self.motions).into_iter().flat_map(|span| self.cut(span)).collect()
     }
 
-    /// The pieces of a part of the time, cut at multiples of one of its [`SHARES`] shares: such times have few digits,
-    /// so that exact proofs about them are cheap.
-    fn cut(&self, part @ [from, until]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
-        let quarter_turns = self.motions.iter().map(|motion| motion.quarter_turns(part)).fold(1.0, f64::max);
+    /// The stretches of a span of time, cut at multiples of one of its [`SHARES`] shares: such times have few digits,
+    /// so that exact proofs about them are cheap. Of 4.2 quarter turns, one takes 15 whole shares (64 / 4.2, rounded
+    /// down), which makes five stretches (64 / 15, rounded up) of 13 shares (64 / 5, rounded up), the last one of 12.
+    fn cut(&self, span @ [from, until]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let quarter_turns = self.motions.iter().map(|motion| motion.quarter_turns(span)).fold(1.0, f64::max);
         let count = (SHARES / (SHARES / quarter_turns).floor().max(1.0)).ceil();
         // no longer than a quarter turn: a quarter turn is at least as many whole shares as 64 over the count
         let step = (SHARES / count).ceil() as u32;
@@ -70,7 +71,7 @@ impl<'a> Moving<'a> {
 
     /// Whether the motion of each body between two times is one stretch.
     pub(super) fn is_whole(&self, times: [f64; 2]) -> bool {
-        self.motions.iter().all(|motion| motion.is_one_stretch(times))
+        self.motions.iter().all(|motion| motion.is_one_arc(times))
     }
 
     /// A stretch of motions that are not off their arcs, by these arcs.

@@ -8,7 +8,7 @@
 //! Section 6, for motions that turn about several axes.
 //!
 //! # Method
-//! On a stretch between two quaternions the placement of a point x is a(s) + Σ B_i(s) M_i (x + w) / Σ B_i(s) d_i, B_i
+//! On an arc between two quaternions the placement of a point x is a(s) + Σ B_i(s) M_i (x + w) / Σ B_i(s) d_i, B_i
 //! the Bernstein polynomials of degree 2 and d_i > 0: a convex combination of the control points M_i (x + w) / d_i,
 //! beside a segment. The displacement of x from the middle placement is linear in x at each of them, and largest along
 //! a coordinate axis at a vertex of the body.
@@ -75,15 +75,19 @@ pub(super) fn volume(motion: &Motion, body: &Zonotope<3>) -> Result<Zonotope<3>,
         let whole = motion.exact_arc([part[0], part[1]], Timing::Timed);
         for arc in whole.halves().iter().flat_map(Arc::halves) {
             for (k, bounds) in bounds.iter_mut().enumerate() {
-                let [low, high] = middle.displacements(&arc, body, k);
-                *bounds = Some(match bounds.take() {
-                    Some([least, most]) => [least.min(low), most.max(high)],
-                    None => [low, high],
-                });
+                *bounds = Some(around(bounds.take(), middle.displacements(&arc, body, k)));
             }
         }
     }
     middle.around(body, bounds.map(|bounds| bounds.unwrap_or([Rational::ZERO, Rational::ZERO])))
+}
+
+/// The least interval around two, or around one.
+fn around(known: Option<[Rational; 2]>, [low, high]: [Rational; 2]) -> [Rational; 2] {
+    match known {
+        Some([least, most]) => [least.min(low), most.max(high)],
+        None => [low, high],
+    }
 }
 
 /// The placement at the middle: x ↦ (matrix (x + arm) + base) / …, each with its own denominator.
@@ -113,8 +117,8 @@ impl Middle {
         (turned + self.base[k].to_rational()) / self.weight.to_rational()
     }
 
-    /// Bounds of how far points of the body are moved along a coordinate axis, from the middle placement to any of a
-    /// stretch.
+    /// Bounds of how far points of the body are moved along a coordinate axis, from the middle placement to any of an
+    /// arc.
     fn displacements(&self, arc: &Arc<Dyadic>, body: &Zonotope<3>, k: usize) -> [Rational; 2] {
         let center = exact(body.center());
         let weight = arc.weight.to_rational();
@@ -129,11 +133,7 @@ impl Middle {
                 + dot(&matrix[k], &arc.arm).to_rational() / square.to_rational() / &weight
                 - self.origin(k);
             let reach = reach.to_rational() / common;
-            let (low, high) = (&moved - &reach, moved + reach);
-            bounds = Some(match bounds {
-                Some([least, most]) => [least.min(low), most.max(high)],
-                None => [low, high],
-            });
+            bounds = Some(around(bounds, [&moved - &reach, moved + reach]));
         }
         let bases = arc.base.each_ref().map(|base| base[k].to_rational() / &weight);
         let [low, high] = bounds.unwrap_or([Rational::ZERO, Rational::ZERO]);

@@ -20,8 +20,9 @@ const SHARE_LEFT_OUT: f64 = 1.0 / 256.0;
 /// The part of a stretch that is looked at again is so many times as long as the gap takes to vanish.
 const LOOKED_AT: f64 = 16.0;
 
-/// Parts of a stretch in which the gap is looked at for a change of sign, and halvings of that part.
-const PARTS: u32 = 16;
+/// The number of parts of a stretch at whose ends the gap is looked at for a change of sign, and of halvings of the
+/// first part with one.
+const SAMPLES: u32 = 16;
 const HALVINGS: u32 = 20;
 
 /// The latest time within a stretch before which a candidate keeps a gap, and the candidate, which may prove what is
@@ -102,10 +103,10 @@ fn first_zero(gap: &[f64; 6]) -> Option<f64> {
         return None;
     }
     let is_positive = |s: f64| value(gap, s) > 0.0;
-    let Some(part) = (1..=PARTS).find(|&part| !is_positive(f64::from(part) / f64::from(PARTS))) else {
+    let Some(part) = (1..=SAMPLES).find(|&part| !is_positive(f64::from(part) / f64::from(SAMPLES))) else {
         return Some(1.0);
     };
-    let [mut low, mut high] = [part - 1, part].map(|part| f64::from(part) / f64::from(PARTS));
+    let [mut low, mut high] = [part - 1, part].map(|part| f64::from(part) / f64::from(SAMPLES));
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;
         if is_positive(middle) { low = middle } else { high = middle }

@@ -41,7 +41,8 @@ fn both(moving: &Moving<'_>, first: &FreeStretch, second: &FreeStretch, tally: &
     Some(FreeStretch { from: first.from, until: second.until, direction })
 }
 
-/// Whether two stretches are the halves of one that was not proved.
+/// Whether two stretches are the halves of one that was not proved. First stretches that are no powers of two of a step
+/// long may be taken for others than they are, which costs a search.
 fn are_halves(first: &FreeStretch, second: &FreeStretch) -> bool {
     let width = first.until - first.from;
     width == second.until - second.from && (first.from / (2.0 * width)).fract() == 0.0

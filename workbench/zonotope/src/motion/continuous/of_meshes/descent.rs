@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::answer::{FreePair, MeshContact, Part};
 use super::placed::Parts;
-use super::sizes::Scene;
+use super::sizes::MeshScene;
 use super::slice::Slice;
 use crate::bvh::BoundingVolume;
 use crate::motion::continuous::by_control_points::{SHORT_STRETCH, directions};
@@ -44,7 +44,7 @@ pub(super) struct Event {
 
 pub(super) struct Descent<'a, V: BoundingVolume> {
     pub(super) parts: [Parts<'a, V>; 2],
-    pub(super) scene: &'a Scene<'a, V>,
+    pub(super) scene: &'a MeshScene<'a, V>,
     pub(super) resolution: f64,
     /// A pair met at this time, or is in doubt until then: later times do not matter.
     pub(super) limit: f64,
@@ -56,7 +56,7 @@ pub(super) struct Descent<'a, V: BoundingVolume> {
 }
 
 impl<'a, V: BoundingVolume> Descent<'a, V> {
-    pub(super) fn new(scene: &'a Scene<'a, V>, resolution: f64) -> Self {
+    pub(super) fn new(scene: &'a MeshScene<'a, V>, resolution: f64) -> Self {
         Self {
             parts: scene.hierarchies.map(|hierarchy| Parts::new(hierarchy, scene.exponent)),
             scene,

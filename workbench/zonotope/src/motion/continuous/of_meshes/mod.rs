@@ -59,7 +59,7 @@ mod triangles;
 pub use self::answer::{FreePair, MeshContact, NotRational, Part};
 
 use self::descent::Descent;
-use self::sizes::Scene;
+use self::sizes::MeshScene;
 use super::by_control_points::{DEFAULT_RESOLUTION, FINEST_RESOLUTION};
 use crate::bvh::{BoundingVolume, Bvh};
 use crate::motion::Motion;
@@ -90,6 +90,6 @@ pub fn first_contact_counted<V: BoundingVolume>(
     if let Some(body) = motions.iter().position(|motion| !motion.is_rational()) {
         return Err(NotRational { body });
     }
-    let scene = Scene::new(hierarchies, motions);
+    let scene = MeshScene::new(hierarchies, motions);
     Ok(Descent::new(&scene, resolution.max(FINEST_RESOLUTION)).first_contact(tally))
 }

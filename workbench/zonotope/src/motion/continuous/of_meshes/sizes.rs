@@ -10,7 +10,7 @@ use crate::numeric::scaling::scaled_exactly;
 use crate::zonotope::pose::Pose;
 
 /// Two meshes and their motions.
-pub(super) struct Scene<'a, V> {
+pub(super) struct MeshScene<'a, V> {
     pub(super) hierarchies: [&'a Bvh<V>; 2],
     /// The motions as they were given.
     given: [&'a Motion; 2],
@@ -20,7 +20,7 @@ pub(super) struct Scene<'a, V> {
     pub(super) exponent: i64,
 }
 
-impl<'a, V: BoundingVolume> Scene<'a, V> {
+impl<'a, V: BoundingVolume> MeshScene<'a, V> {
     pub(super) fn new(hierarchies: [&'a Bvh<V>; 2], given: [&'a Motion; 2]) -> Self {
         let scaled = change(hierarchies, given).and_then(|exponent| {
             let mut vertices = hierarchies.iter().flat_map(|hierarchy| hierarchy.mesh().vertices());

@@ -3,7 +3,7 @@
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-use super::sizes::Scene;
+use super::sizes::MeshScene;
 use crate::bvh::BoundingVolume;
 use crate::bvh::question::Question;
 use crate::motion::constant_rate::Timing;
@@ -13,7 +13,7 @@ use crate::zonotope::pose::Pose;
 
 /// A stretch of time of a scene.
 pub(super) struct Slice<'a, V: BoundingVolume> {
-    scene: &'a Scene<'a, V>,
+    scene: &'a MeshScene<'a, V>,
     pub(super) times: [f64; 2],
     /// The arcs of both motions, in doubles.
     pub(super) arcs: Rc<ArcPair<f64>>,
@@ -35,7 +35,7 @@ struct Change {
 }
 
 impl<'a, V: BoundingVolume> Slice<'a, V> {
-    pub(super) fn new(scene: &'a Scene<'a, V>, times: [f64; 2]) -> Rc<Self> {
+    pub(super) fn new(scene: &'a MeshScene<'a, V>, times: [f64; 2]) -> Rc<Self> {
         let arcs = scene.motions().map(|motion| motion.rounded_arc(times, Timing::Timed));
         Rc::new(Self {
             scene,

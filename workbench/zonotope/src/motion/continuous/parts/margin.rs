@@ -5,11 +5,13 @@
 //!   δ d |u × a|, a the unit vector of the axis: it moves across the axis.
 //! - A direction that turns with the body turns as the motion does, not as the stretch does. Seen from the body it
 //!   stands still, and so does the body; points of the *other* body are off by δ times their distance from the axis.
-//! - The normal of an edge of each body changes by δ times the lengths of both edges. Its product with the path between
-//!   two points is a determinant. It is off by δ times these lengths and the distance of the other body's points from a
-//!   point of the axis, and as much again for the body's own points: seen with its own edge these turn as one. The
-//!   bodies are moved one after the other, each while the other one stands where the motion has it, so nothing of
-//!   second order is left over.
+//! - The normal of an edge e of this body and an edge f of the other one: along it the gap is made of determinants
+//!   det(R e, f, y − P) over the other body's points y and det(R e, f, R x) over this body's own points P + R x, P a
+//!   point of the axis. The first is off by δ |e| |f| times the distance of y from P, as R e is off by δ |e|. The
+//!   second is the determinant of e, R⁻¹ f and x, off by δ |e| |f| |x|. The bodies are moved one after the other, each
+//!   while the other one stands where the motion has it, so nothing of second order is left over.
+//!
+//! The base of an arc is on the axis, and the body's frame has the same axis, as a body is unturned at the time 0.
 //!
 //! The verifier lets a direction turn as the stretch does and bounds the points alone (`motion/gap` of its crate).
 

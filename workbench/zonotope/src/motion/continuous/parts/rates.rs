@@ -4,14 +4,14 @@
 //! ω = 2 |q0| |q1| sin φ / |q|², φ the angle between q0 and q1, and its change is ω (|q|²)' / |q|², where (|q|²)' is
 //! linear in s: greatest at an end.
 //!
-//! All bounds are made larger by [`RATE_ROUNDING`](crate::numeric::tolerance::RATE_ROUNDING), which exceeds the
-//! roundings of a body of fewer than 2^20 generators.
+//! All bounds are made larger by [`RATE_ROUNDING`](crate::numeric::tolerance::RATE_ROUNDING), and sums over generators
+//! by a rounding for each. Bodies are zonotopes here: corners are not read.
 
 use super::body::Body;
 use crate::motion::arc::Arc;
 use crate::motion::quaternion::{composition, conjugate};
 use crate::numeric::linear::{cross, dot, norm_of_any_size, sum_norm};
-use crate::numeric::tolerance::{MODERATE_SIZES, RATE_ROUNDING, SINE_OF_QUATERNIONS};
+use crate::numeric::tolerance::{MODERATE_SIZES, RATE_ROUNDING, SINE_OF_QUATERNIONS, UNIT};
 
 /// A body that turns about an axis and whose base goes along a segment, for s from 0 to 1.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +81,8 @@ impl Rates {
         let arm = arc.arm_of(&body.center()).map(|c| c / arc.weight);
         let from_axis = body.generators().iter().fold(off_axis(&arm), |sum, g| sum + off_axis(g));
         let size = body.magnitude() + sum_norm(&body.center()) + sum_norm(&arc.arm) / arc.weight;
-        let from_axis = from_axis * RATE_ROUNDING + (RATE_ROUNDING - 1.0 + axis_error) * size;
+        let of_sum = 2.0 * UNIT * body.generators().len() as f64;
+        let from_axis = from_axis * (RATE_ROUNDING + of_sum) + (RATE_ROUNDING - 1.0 + axis_error) * size;
         let angle = 2.0 * libm::atan((sine + error) / w.max(0.0));
         Self { axis: unit(axis), axis_error, angle, rate, change, from_axis, travel: still.travel }
     }

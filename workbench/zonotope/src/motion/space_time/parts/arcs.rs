@@ -1,4 +1,5 @@
-//! Points of the plane around the arcs on which the vertices of a shadow move, each taken from where it begins.
+//! Points of the plane around the arcs of circles on which the vertices of a shadow move, each taken from where it
+//! begins.
 //!
 //! A vertex x moves to R(φ) x, and R(φ) x − x is linear in x. An arc lies in the hull of points of it and of the
 //! corners of the tangents at these points. So for each of a few 2 × 2 matrices the images of all vertices are taken:
