@@ -10,7 +10,8 @@
 //! Let ε bound the entries of Mᵀ M − I for both matrices. The inverse of M is (I + E)⁻¹ Mᵀ with entries of E up to ε,
 //! so R is 2^(e_B − e_A) times M_Aᵀ M_B up to 6 ε and 2^-48 in each entry, and s is M_Aᵀ times the difference of the
 //! translations up to (9 ε + 2^-49) times the sum of its coordinates, which is at most 3 |s|. A point is off by
-//! `POINT_OF_A_FRAME` (1 + |s|) in each coordinate with room to spare, where ε is below 2^-40.
+//! (`POINT_OF_A_FRAME` + 64 ε) (1 + |s|) in each coordinate with room to spare, where ε is at most 1e-12. Here |s| is
+//! the largest coordinate.
 //!
 //! A volume reaches at most [`REACH_LIMIT`] from the origin along each axis. A test of two volumes along a direction u,
 //! |u| ≤ 1, adds up terms whose magnitudes sum up to at most 4 |s| + 128, each through fewer than a hundred roundings;
@@ -35,9 +36,9 @@ pub struct Frame {
     pub matrix: [[f64; 3]; 3],
     /// The rotation of `matrix` transposed, by rows: directions of the first mesh as seen from the second.
     pub inverse_rotation: [[f64; 3]; 3],
-    /// The unit of the second mesh in units of the first, at most 1.
+    /// The unit of the second mesh in units of the first, at most 1; 0 where it is less than the least double.
     pub ratio: f64,
-    /// s.
+    /// s, of which coordinates are at most a sixty-fourth of the largest double.
     pub shift: [f64; 3],
     /// A computed gap along a direction of length at most 1 is off by less than this.
     pub slack: f64,

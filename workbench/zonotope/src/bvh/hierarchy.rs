@@ -34,7 +34,7 @@ pub struct Bvh<V> {
     pub(super) topology: Topology,
     pub(super) volumes: Vec<V>,
     /// Half the diagonal of the box of each node: which of two nodes is opened first.
-    pub(super) sizes: Vec<f64>,
+    pub(super) half_diagonals: Vec<f64>,
 }
 
 impl<V: BoundingVolume> Bvh<V> {
@@ -49,8 +49,8 @@ impl<V: BoundingVolume> Bvh<V> {
         let (points, rounding) = in_units(mesh.vertices(), exponent);
         let topology = topology(&points, mesh.triangles(), options.leaf_triangles);
         let fit = |points: &[[f64; 3]], _: usize| V::around(points, options.effort);
-        let (volumes, sizes) = volumes(&topology, &points, mesh.triangles(), fit);
-        Self { mesh: mesh.clone(), exponent, points, rounding, topology, volumes, sizes }
+        let (volumes, half_diagonals) = volumes(&topology, &points, mesh.triangles(), fit);
+        Self { mesh: mesh.clone(), exponent, points, rounding, topology, volumes, half_diagonals }
     }
 
     /// The mesh.
@@ -75,7 +75,7 @@ impl<V: BoundingVolume> Bvh<V> {
 
     /// Half the diagonal of the box of a node, in the same units.
     pub(crate) fn size(&self, node: usize) -> f64 {
-        self.sizes[node]
+        self.half_diagonals[node]
     }
 
     /// Whether vertices lost digits on their way into the units.
@@ -99,8 +99,8 @@ impl<V: BoundingVolume> Bvh<V> {
     /// The hierarchy around other points.
     pub(super) fn with_points(&self, mesh: Mesh, points: Vec<[f64; 3]>, exponent: i64, rounding: f64) -> Self {
         let fit = |points: &[[f64; 3]], node: usize| self.volumes[node].refitted(points);
-        let (volumes, sizes) = volumes(&self.topology, &points, mesh.triangles(), fit);
-        Self { mesh, exponent, points, rounding, topology: self.topology.clone(), volumes, sizes }
+        let (volumes, half_diagonals) = volumes(&self.topology, &points, mesh.triangles(), fit);
+        Self { mesh, exponent, points, rounding, topology: self.topology.clone(), volumes, half_diagonals }
     }
 
     /// The hierarchy where a pose puts it. O(1).

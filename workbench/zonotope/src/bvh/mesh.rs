@@ -6,15 +6,17 @@ use crate::numeric::exact_linear::{ExactVector, exact};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::pose::Pose;
 
-/// The largest number of vertices, and of triangles: positions are kept in 32 bits.
-const COUNT_LIMIT: usize = u32::MAX as usize;
+/// The largest number of vertices, and of triangles: positions are kept in 32 bits, those of nodes as well, of which
+/// there are nearly twice as many as triangles.
+const COUNT_LIMIT: usize = 1 << 31;
 
 /// A surface of triangles. A value of this type is valid: it has a triangle, coordinates are finite, and triangles name
 /// vertices that are there. Triangles may be flat to a segment or a point, repeated, and cross each other; vertices
 /// need not be used.
 ///
 /// A mesh is the union of its closed triangles: a body inside another one that does not touch its surface does not meet
-/// it.
+/// it. Coordinates are best about the origin: the farthest vertex from it, used or not, gives the unit in which nodes
+/// are tested, and where that is large beside the mesh, exact tests of triangles do the work of nodes.
 ///
 /// # Example
 /// ```
@@ -65,7 +67,7 @@ impl Mesh {
     ///
     /// # Errors
     /// The first of these that is wrong: a coordinate is not finite, there is no triangle, a triangle names no vertex,
-    /// there are more than 2^32 − 1 of either.
+    /// there are more than 2^31 of either.
     pub fn new(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         NonFinite::check_list("vertex", &vertices)?;
         if triangles.is_empty() {

@@ -6,6 +6,9 @@
 //!
 //! | stage | what it does | cost for n triangles |
 //! |---|---|---|
+//! | `mesh` | vertices and triangles, and where a pose puts them | O(n) |
+//! | `volume` | the trait of bounding volumes, and what a test of two must hold to | |
+//! | `hierarchy` | a mesh with its tree and volumes | |
 //! | [`build`] | the tree, by the surface area heuristic | O(n log n) |
 //! | `refit` | the volume of each node, from the leaves up; also after a deformation | O(n log n) times a fit |
 //! | `question` | two hierarchies under poses in one [`frame`] | O(1) for rotations, else a refit |

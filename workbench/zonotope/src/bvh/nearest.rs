@@ -8,8 +8,8 @@
 //! No part of the paper: the question that is left of an intersection where there is none.
 //!
 //! # Method
-//! 1. Take the nearest pair of children first; leave out a pair of nodes whose gap is at least the nearest distance
-//!    found so far, but for [`TOLERANCE`] of it.
+//! 1. Take the nearest pair of children first; leave out a pair of nodes whose gap is at least 1 − [`TOLERANCE`] times
+//!    the nearest distance found so far.
 //! 2. Of two leaves, bound the distance of each pair of triangles in doubles; where a pair may be the nearest and its
 //!    bounds are too far apart, take the exact square of its distance, or find that it meets.
 //! 3. The lower bound is the least of all gaps for which pairs were left out and all lower bounds of triangles.
@@ -62,53 +62,48 @@ pub struct MeshDistance {
 pub(super) fn distance<V: BoundingVolume>(question: &Question<'_, V>, tally: &mut dyn Tally) -> MeshDistance {
     let mut counts = Counts::default();
     let mut best = Best::NONE;
-    let [a, b] = question.hierarchies();
-    let mut stack = vec![(question.gap([0, 0]), [0, 0])];
-    while let Some((gap, [i, j])) = stack.pop() {
+    let mut stack = vec![(question.proven_gap([0, 0]), [0, 0])];
+    while let Some((gap, nodes)) = stack.pop() {
         counts.nodes += 1;
         if gap >= best.limit() {
             best.lower = best.lower.min(gap);
             continue;
         }
-        let opened = match (a.topology.nodes[i].children(i), b.topology.nodes[j].children(j)) {
-            (None, None) => {
-                leaves(question, [i, j], &mut best, &mut counts);
-                if best.is_contact() {
-                    break;
-                }
-                continue;
+        let Some(opened) = question.opened(nodes) else {
+            leaves(question, nodes, &mut best, &mut counts);
+            if best.is_contact() {
+                break;
             }
-            (Some(children), of_b) if of_b.is_none() || a.sizes[i] >= question.frame.ratio * b.sizes[j] => {
-                children.map(|child| [child, j])
-            }
-            (_, Some(children)) => children.map(|child| [i, child]),
-            (Some(_), None) => unreachable!("the arm before takes a node beside a leaf"),
+            continue;
         };
-        let [first, second] = opened.map(|pair| (question.gap(pair), pair));
+        let [first, second] = opened.map(|pair| (question.proven_gap(pair), pair));
         stack.extend(if first.0 <= second.0 { [second, first] } else { [first, second] });
     }
     counts.add_to(tally);
     best.in_world(question)
 }
 
-/// The nearest pair so far, and what is known of all others: bounds in the frame, and of pairs that were looked at
-/// exactly bounds in the coordinates in which the meshes were placed.
+/// The nearest pairs so far, and what is known of all others: bounds in the frame, and of pairs that were looked at
+/// exactly bounds in the coordinates in which the meshes were placed. Each of both upper bounds has its own pair: that
+/// of the less in the end is told.
 struct Best {
     lower: f64,
     upper: f64,
+    pair: [usize; 2],
     exact: [f64; 2],
+    exact_pair: [usize; 2],
     /// An upper bound of all, in the frame.
     reach: f64,
-    pair: [usize; 2],
 }
 
 impl Best {
     const NONE: Self = Self {
         lower: f64::INFINITY,
         upper: f64::INFINITY,
-        exact: [f64::INFINITY; 2],
-        reach: f64::INFINITY,
         pair: [0; 2],
+        exact: [f64::INFINITY; 2],
+        exact_pair: [0; 2],
+        reach: f64::INFINITY,
     };
 
     /// The gap from which on a pair need not be looked at.
@@ -124,8 +119,8 @@ impl Best {
     fn take(&mut self, pair: [usize; 2], [lower, upper]: [f64; 2]) {
         self.lower = self.lower.min(lower);
         if upper < self.upper {
-            self.upper = upper;
-            self.reach_to(pair, upper);
+            (self.upper, self.pair) = (upper, pair);
+            self.reach = self.reach.min(upper);
         }
     }
 
@@ -133,14 +128,8 @@ impl Best {
     fn take_exactly(&mut self, pair: [usize; 2], [below, above]: [f64; 2], reach: f64) {
         self.exact[0] = self.exact[0].min(below);
         if above < self.exact[1] {
-            self.exact[1] = above;
-            self.reach_to(pair, reach);
-        }
-    }
-
-    fn reach_to(&mut self, pair: [usize; 2], reach: f64) {
-        if reach < self.reach || self.reach == f64::INFINITY {
-            (self.reach, self.pair) = (reach, pair);
+            (self.exact[1], self.exact_pair) = (above, pair);
+            self.reach = self.reach.min(reach);
         }
     }
 
@@ -151,12 +140,12 @@ impl Best {
         };
         let lower = world(self.lower, 1.0 - DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_most(&bound));
         let upper = world(self.upper, 1.0 + DISTANCE_OF_A_FRAME).map_or(f64::INFINITY, |bound| at_least(&bound));
-        let upper = upper.min(self.exact[1]);
+        let (upper, pair) = if self.exact[1] <= upper { (self.exact[1], self.exact_pair) } else { (upper, self.pair) };
         // near the largest double the rounding of the frame leads beyond it, where the distance itself may not
         let is_beyond = upper == f64::INFINITY && self.reach.is_finite();
-        let upper = if is_beyond { question.exact_bounds(self.pair)[1] } else { upper };
+        let (upper, pair) = if is_beyond { (question.exact_bounds(self.pair)[1], self.pair) } else { (upper, pair) };
         let lower = lower.min(self.exact[0]).min(upper).min(f64::MAX);
-        MeshDistance { lower, upper, nearest: question.ordered(self.pair) }
+        MeshDistance { lower, upper, nearest: question.ordered(pair) }
     }
 }
 

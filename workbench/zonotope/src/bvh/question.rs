@@ -27,9 +27,9 @@ pub(crate) struct Question<'a, V: BoundingVolume> {
     /// Whether the second mesh of the caller comes first.
     is_swapped: bool,
     pub(super) frame: Frame,
-    turned: V::Turned,
+    prepared: V::Prepared,
     /// Largest magnitude of a coordinate of a corner in the frame.
-    size: f64,
+    largest_coordinate: f64,
 }
 
 impl<'a, V: BoundingVolume> Question<'a, V> {
@@ -46,8 +46,8 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
         };
         let [a, b] = hierarchies;
         let sides = [Side { hierarchy: a, mesh: meshes[0] }, Side { hierarchy: b, mesh: meshes[1] }];
-        let size = 4.0 + max_norm(&frame.shift);
-        Self { sides, is_swapped, frame, turned: V::turned(&frame), size }
+        let largest_coordinate = 4.0 + max_norm(&frame.shift);
+        Self { sides, is_swapped, frame, prepared: V::prepared(&frame), largest_coordinate }
     }
 
     /// The hierarchies, in the order of the frame.
@@ -57,16 +57,33 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
 
     /// A proven lower bound of the distance of two nodes in the frame, negative where none is proved.
     #[inline]
-    pub(super) fn gap(&self, [a, b]: [usize; 2]) -> f64 {
+    pub(super) fn proven_gap(&self, [a, b]: [usize; 2]) -> f64 {
         let [first, second] = self.hierarchies();
-        first.volumes[a].gap(&second.volumes[b], &self.turned) - self.frame.slack
+        first.volumes[a].gap(&second.volumes[b], &self.prepared) - self.frame.slack
     }
 
     /// Whether two nodes are proved disjoint, in the order of the frame.
     #[inline]
     pub(crate) fn are_apart(&self, [a, b]: [usize; 2]) -> bool {
         let [first, second] = self.hierarchies();
-        first.volumes[a].is_apart(&second.volumes[b], &self.turned, self.frame.slack)
+        first.volumes[a].is_apart(&second.volumes[b], &self.prepared, self.frame.slack)
+    }
+
+    /// The pairs of a node with the children of the other one: of the larger of both, or of the one that is no leaf;
+    /// none of two leaves.
+    #[inline]
+    pub(super) fn opened(&self, [i, j]: [usize; 2]) -> Option<[[usize; 2]; 2]> {
+        let [a, b] = self.hierarchies();
+        match (a.topology.nodes[i].children(i), b.topology.nodes[j].children(j)) {
+            (None, None) => None,
+            (Some(children), of_b)
+                if of_b.is_none() || a.half_diagonals[i] >= self.frame.ratio * b.half_diagonals[j] =>
+            {
+                Some(children.map(|child| [child, j]))
+            }
+            (_, Some(children)) => Some(children.map(|child| [i, child])),
+            (Some(_), None) => unreachable!("the arm before takes a node beside a leaf"),
+        }
     }
 
     /// A pair of triangles in the order of the caller, or of nodes in that of the frame.
@@ -108,7 +125,7 @@ impl<'a, V: BoundingVolume> Question<'a, V> {
 
     /// Bounds of the distance of two triangles in the frame.
     pub(super) fn bounds(&self, [a, b]: [&Corners; 2]) -> [f64; 2] {
-        of_triangles::bounds(&a.values, &b.values, self.size, a.error.max(b.error))
+        of_triangles::bounds(&a.values, &b.values, self.largest_coordinate, a.error.max(b.error))
     }
 
     /// The neighbouring doubles of the distance of two triangles, in the coordinates in which the meshes were placed.

@@ -55,7 +55,6 @@ pub(super) fn descend<V: BoundingVolume>(
     mut visit: impl FnMut([usize; 2]) -> ControlFlow<()>,
 ) {
     let [a, b] = question.hierarchies();
-    let ratio = question.frame.ratio;
     let mut stack = Vec::with_capacity(STACK);
     stack.push([0, 0]);
     let mut counts = Counts::default();
@@ -65,30 +64,24 @@ pub(super) fn descend<V: BoundingVolume>(
         if question.are_apart([i, j]) {
             continue;
         }
-        match (a.topology.nodes[i].children(i), b.topology.nodes[j].children(j)) {
-            (None, None) => {
-                let (rows, columns) = (&a.topology.nodes[i], &b.topology.nodes[j]);
-                corners.clear();
-                let columns = &b.topology.order[columns.range()];
-                corners.extend(columns.iter().map(|&t| question.corners(1, t as usize).with_plane()));
-                let is_stopped = a.topology.order[rows.range()].iter().any(|&row| {
-                    let of_row = question.corners(0, row as usize).with_plane();
-                    columns.iter().zip(&corners).any(|(&column, of_column)| {
-                        counts.triangles += 1;
-                        let pair = [row as usize, column as usize];
-                        question.meet(pair, [&of_row, of_column], &mut counts.exact)
-                            && visit(question.ordered(pair)).is_break()
-                    })
-                });
-                if is_stopped {
-                    break;
-                }
-            }
-            (Some([left, right]), of_b) if of_b.is_none() || a.sizes[i] >= ratio * b.sizes[j] => {
-                stack.extend([[right, j], [left, j]]);
-            }
-            (_, Some([left, right])) => stack.extend([[i, right], [i, left]]),
-            (Some(_), None) => unreachable!("the arm before takes a node beside a leaf"),
+        if let Some([first, second]) = question.opened([i, j]) {
+            stack.extend([second, first]);
+            continue;
+        }
+        let (rows, columns) = (&a.topology.nodes[i], &b.topology.nodes[j]);
+        corners.clear();
+        let columns = &b.topology.order[columns.range()];
+        corners.extend(columns.iter().map(|&t| question.corners(1, t as usize).with_plane()));
+        let is_stopped = a.topology.order[rows.range()].iter().any(|&row| {
+            let of_row = question.corners(0, row as usize).with_plane();
+            columns.iter().zip(&corners).any(|(&column, of_column)| {
+                counts.triangles += 1;
+                let pair = [row as usize, column as usize];
+                question.meet(pair, [&of_row, of_column], &mut counts.exact) && visit(question.ordered(pair)).is_break()
+            })
+        });
+        if is_stopped {
+            break;
         }
     }
     counts.add_to(tally);

@@ -1,7 +1,9 @@
 //! Bounding volumes of nodes: one trait, which a hierarchy is generic over.
 //!
-//! A new volume is one file in `volumes/` with this trait, a row in `volumes/mod.rs`, and a line of the list in
-//! `tests/mod.rs`, which then holds it to all that is asked of a volume.
+//! A new volume is one file in `volumes/` with this trait, a row and a `pub mod` in `volumes/mod.rs`, a `pub use` in
+//! `bvh/mod.rs`, and a line of the list in `tests/mod.rs`, which then holds it to all that is asked of a volume. To be
+//! asked for by its name it needs a row of `method.rs`, which tests find in the manual and among the colours of
+//! figures.
 
 use super::frame::Frame;
 use crate::zonotope::Zonotope;
@@ -24,8 +26,8 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     /// Whether fitting takes time enough for the convex hull of the points to be worth it.
     const IS_FITTED_TO_HULL: bool;
 
-    /// The numbers that a question about two hierarchies computes once, for all its tests of pairs of nodes.
-    type Turned;
+    /// The numbers that a question about two hierarchies prepares once, for all its tests of pairs of nodes.
+    type Prepared;
 
     /// A volume around points, of which there is at least one. `effort` bounds the steps of a search for a better
     /// one; 0 is the quickest fit.
@@ -37,16 +39,24 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     }
 
     /// The numbers of a frame that tests of pairs of nodes read.
-    fn turned(frame: &Frame) -> Self::Turned;
+    fn prepared(frame: &Frame) -> Self::Prepared;
 
     /// The largest gap between this volume, of the first hierarchy, and one of the second, along the directions that
-    /// the test tries; negative where none of them has a gap. Directions have a length of at most 1, and rounding is
-    /// what [`Frame::slack`] bounds: a gap above it proves that the volumes are disjoint, and how far apart at least.
-    fn gap(&self, other: &Self, turned: &Self::Turned) -> f64;
+    /// the test tries; negative where none of them has a gap. A gap above [`Frame::slack`] proves that the volumes are
+    /// disjoint, and how far apart at least, where these hold:
+    ///
+    /// - It is in units of the first mesh. Points of the second volume come by [`Frame::image`], vectors by
+    ///   [`Frame::turned`], and lengths are multiplied by [`Frame::ratio`].
+    /// - It is u · y − u · x, less the reaches, along a direction u of length at most 1. A distance of two points that
+    ///   are computed to be nearest is none: it bounds the gap from above, so the gap along the line through them is
+    ///   taken, whatever rounding has made of the points.
+    /// - Its terms add up to at most 4 |s| + 128, s the frame's shift, and each goes through fewer than a hundred
+    ///   roundings. Bodies that reach along a direction are bounded by the sum of what their parts reach.
+    fn gap(&self, other: &Self, turned: &Self::Prepared) -> f64;
 
-    /// Whether the gap is above a number: the answer of [`gap`](Self::gap), which a volume may give with fewer
-    /// directions.
-    fn is_apart(&self, other: &Self, turned: &Self::Turned, least: f64) -> bool {
+    /// Whether the gap is above a number: the answer of [`gap`](Self::gap), which a volume may give with less
+    /// work.
+    fn is_apart(&self, other: &Self, turned: &Self::Prepared, least: f64) -> bool {
         self.gap(other, turned) > least
     }
 
@@ -57,7 +67,7 @@ pub trait BoundingVolume: Clone + std::fmt::Debug + Send + Sync {
     fn as_zonotope(&self) -> Zonotope<3>;
 
     /// The expected number of overlaps with its like in a random relative placement, up to a constant: V1 V2 + 2 V3 in
-    /// intrinsic volumes, the mean width, half the surface and the volume, by the kinematic formula.
+    /// intrinsic volumes, twice the mean width, half the surface and the volume, by the kinematic formula.
     fn expected_overlaps(&self) -> f64;
 }
 

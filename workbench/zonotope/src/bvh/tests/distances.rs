@@ -4,6 +4,7 @@ use super::meshes::{cube, degenerate, random_poses, round};
 use super::triangles::{distance::exact_square, meet_exactly};
 use super::*;
 use crate::Pose;
+use crate::numeric::dyadic::Dyadic;
 
 /// The distance by all pairs, in doubles from exact squares.
 fn least(a: PlacedMesh<'_>, b: PlacedMesh<'_>) -> f64 {
@@ -24,8 +25,28 @@ fn holds<V: BoundingVolume>(a: &Mesh, b: &Mesh, pose: &Pose, truth: f64) {
     let rounding = 1e-14 * truth;
     assert!(found.lower <= truth + rounding && truth - rounding <= found.upper, "{} {found:?} {truth}", V::NAME);
     assert!(found.upper - found.lower <= 1e-3 * found.upper, "{} {found:?} {truth}", V::NAME);
+    assert!(is_within(a.at(&Pose::IDENTITY), b.at(pose), found), "{} {found:?} {pose:?}", V::NAME);
+}
+
+/// Whether the triangles that are told are no farther apart than the upper bound, exactly.
+fn is_within(a: PlacedMesh<'_>, b: PlacedMesh<'_>, found: MeshDistance) -> bool {
     let [i, j] = found.nearest;
-    assert!(i < a.triangles().len() && j < b.triangles().len());
+    let (a, b) = (a.exact_corners(i), b.exact_corners(j));
+    let (square, upper) = (exact_square(&a, &b), Dyadic::from_f64(found.upper));
+    meet_exactly(&a, &b) || square.numerator <= &(&upper * &upper) * &square.denominator
+}
+
+/// Two triangles that are points, at neighbouring heights just below a power of two above a third triangle: as bounds
+/// in the frame both distances are one number.
+#[test]
+fn the_triangles_that_are_told_are_as_near_as_the_upper_bound() {
+    let far = 2f64.powi(-40).next_down();
+    for heights in [[far, far.next_down()], [far.next_down(), far]] {
+        let a = Mesh::new(vec![[0.0; 3], [0.75, 0.0, 0.0], [0.0, 0.75, 0.0]], vec![[0, 1, 2]]).expect("a triangle");
+        let points = vec![[0.1, 0.1, heights[0]], [0.3, 0.1, heights[1]]];
+        let b = Mesh::new(points, vec![[0; 3], [1; 3]]).expect("two points");
+        for_each_volume!(holds(&a, &b, &Pose::IDENTITY, far.next_down()));
+    }
 }
 
 #[test]

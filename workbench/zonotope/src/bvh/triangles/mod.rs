@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | `plane` | pairs that the plane of one separates, in doubles with one bound for all rounding | 3 heights |
 //! | [`by_planes`] | pairs in general position, over any numbers with certain signs | 2 planes, then at most 18 volumes |
-//! | [`by_separating_planes`] | all pairs, in exact numbers | 30 directions |
+//! | [`by_separating_planes`] | all pairs, in exact numbers | 29 directions |
 //! | [`brute_force`] | all pairs, in rationals: the truth | a linear program of nine unknowns |
 //! | [`distance`] | bounds of the distance, in doubles and exactly | 15 pairs of features |
 //!

@@ -91,7 +91,7 @@ impl Shaped for Aabb {
 impl BoundingVolume for Aabb {
     const NAME: &'static str = "AABB";
     const IS_FITTED_TO_HULL: bool = false;
-    type Turned = TurnedAxes;
+    type Prepared = TurnedAxes;
 
     fn around(points: &[[f64; 3]], _effort: usize) -> Self {
         let mut found = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
@@ -104,7 +104,7 @@ impl BoundingVolume for Aabb {
         found
     }
 
-    fn turned(frame: &Frame) -> TurnedAxes {
+    fn prepared(frame: &Frame) -> TurnedAxes {
         TurnedAxes { frame: *frame, magnitudes: frame.inverse_rotation.map(|row| row.map(f64::abs)) }
     }
 

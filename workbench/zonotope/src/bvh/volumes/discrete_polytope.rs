@@ -174,7 +174,7 @@ pub struct TurnedNormals {
 impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
     const NAME: &'static str = if N == NORMALS.len() { "26-DOP" } else { "18-DOP" };
     const IS_FITTED_TO_HULL: bool = false;
-    type Turned = TurnedNormals;
+    type Prepared = TurnedNormals;
 
     fn around(points: &[[f64; 3]], _effort: usize) -> Self {
         let reach = |normal: [f64; 3]| {
@@ -195,7 +195,7 @@ impl<const N: usize> BoundingVolume for DiscretePolytope<N> {
         Self { reaches: [of_normals(1.0), of_normals(-1.0)] }
     }
 
-    fn turned(frame: &Frame) -> TurnedNormals {
+    fn prepared(frame: &Frame) -> TurnedNormals {
         let back = frame.inverse_rotation;
         let forth = [0, 1, 2].map(|k| back.map(|row| row[k]));
         let seen = |by: &[[f64; 3]; 3], normal: &[f64; 3]| by.each_ref().map(|row| dot(row, normal));

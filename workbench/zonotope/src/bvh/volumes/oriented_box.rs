@@ -25,7 +25,7 @@ impl Shaped for OrientedBox {
 impl BoundingVolume for OrientedBox {
     const NAME: &'static str = "OBB";
     const IS_FITTED_TO_HULL: bool = true;
-    type Turned = Frame;
+    type Prepared = Frame;
 
     fn around(points: &[[f64; 3]], _effort: usize) -> Self {
         Self(Zonotope3::of_fit(&fit_box(points), points))
@@ -35,7 +35,7 @@ impl BoundingVolume for OrientedBox {
         Self(self.0.refitted(points))
     }
 
-    fn turned(frame: &Frame) -> Frame {
+    fn prepared(frame: &Frame) -> Frame {
         *frame
     }
 

@@ -21,7 +21,7 @@ pub struct Sphere {
 impl BoundingVolume for Sphere {
     const NAME: &'static str = "sphere";
     const IS_FITTED_TO_HULL: bool = false;
-    type Turned = Frame;
+    type Prepared = Frame;
 
     fn around(points: &[[f64; 3]], effort: usize) -> Self {
         let center = Aabb::around(points, effort).center();
@@ -30,7 +30,7 @@ impl BoundingVolume for Sphere {
         Self { center, radius: farthest * (1.0 + ROUNDED_RADIUS) + ROUNDED_RADIUS * f64::EPSILON }
     }
 
-    fn turned(frame: &Frame) -> Frame {
+    fn prepared(frame: &Frame) -> Frame {
         *frame
     }
 

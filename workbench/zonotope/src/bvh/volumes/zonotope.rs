@@ -29,7 +29,8 @@ const MOST_GENERATORS_OF_EDGES: usize = 4;
 /// so deeply that the normals of edges are not tried.
 const DEEP: f64 = 0.3;
 
-/// Eight normals: their coordinates, and how far the generators reach along each; without end where there is no normal.
+/// Eight normals: their coordinates, and how far the generators reach along each; as far as doubles go where there is
+/// no normal, which a ratio of 0 leaves a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Facets {
     normals: [[f64; LANES]; 3],
@@ -37,7 +38,7 @@ struct Facets {
 }
 
 impl Facets {
-    const NONE: Self = Self { normals: [[0.0; LANES]; 3], reaches: [f64::INFINITY; LANES] };
+    const NONE: Self = Self { normals: [[0.0; LANES]; 3], reaches: [f64::MAX; LANES] };
 }
 
 /// The first generators of a body, the blocks of the normals of their pairs, and whether the normals of an edge of each
@@ -189,6 +190,7 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         for (place, normal) in pairs.take(2 * LANES).enumerate() {
             (0..3).for_each(|axis| normals[axis][place] = normal[axis]);
         }
+        // a normal that is 0, as that of a lane without a pair, has the gap 0, which is none
         let mut largest = f64x8::splat(simd, f64::NEG_INFINITY);
         for block in 0..2 {
             let from = block * LANES;
@@ -264,7 +266,7 @@ impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
         _ => "zonotope, K = 8",
     };
     const IS_FITTED_TO_HULL: bool = true;
-    type Turned = Frame;
+    type Prepared = Frame;
 
     fn around(points: &[[f64; 3]], effort: usize) -> Self {
         Self::of_fit(&fit(points, K, effort), points)
@@ -274,7 +276,7 @@ impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
         Self::of_fit(&refit(points, &self.directions), points)
     }
 
-    fn turned(frame: &Frame) -> Frame {
+    fn prepared(frame: &Frame) -> Frame {
         *frame
     }
 

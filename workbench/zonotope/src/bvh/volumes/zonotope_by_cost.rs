@@ -50,7 +50,7 @@ impl Shaped for ZonotopeByCost {
 impl BoundingVolume for ZonotopeByCost {
     const NAME: &'static str = "zonotope, K by cost";
     const IS_FITTED_TO_HULL: bool = true;
-    type Turned = Frame;
+    type Prepared = Frame;
 
     fn around(points: &[[f64; 3]], effort: usize) -> Self {
         let cost = |generators: usize| COSTS_OF_TESTS[generators.clamp(3, MOST_GENERATORS) - 3];
@@ -61,7 +61,7 @@ impl BoundingVolume for ZonotopeByCost {
         Self::of(self.body.refitted(points))
     }
 
-    fn turned(frame: &Frame) -> Frame {
+    fn prepared(frame: &Frame) -> Frame {
         *frame
     }
 

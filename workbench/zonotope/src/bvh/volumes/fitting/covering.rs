@@ -16,8 +16,8 @@ const FLAT: f64 = 0.02;
 /// A program whose answer leaves points farther outside than this has failed.
 const LARGEST_MISS: f64 = 1e-6;
 
-/// The aim of a covering, which is to be small: a sum of V1 V2 and V3, each with a factor, in intrinsic volumes: the
-/// mean width, half the surface and the volume.
+/// The aim of a covering, which is to be small: a sum of V1 V2 and V3, each with a factor, in intrinsic volumes:
+/// twice the mean width, half the surface and the volume.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Aim {
     pub(super) of_surface: f64,
