@@ -5,7 +5,7 @@
 //! about one axis it turns through every angle between its ends, and ends that are moved outwards by more than their
 //! rounding contain those of the motion.
 //!
-//! Let θ be the angle of an arc, a = θ/4 and t = tan a. Measured from its middle, at the share (1 + x) / 2 of its time,
+//! Let θ be the angle of an arc, a = θ/4 and t = tan a. Seen from its middle, at the share (1 + x) / 2 of its time,
 //! −1 ≤ x ≤ 1, a linear quaternion is at the angle atan(x t) and that of the motion at x a = x atan t, and rotations
 //! are by twice these angles. For x ≥ 0 the difference of the angles is the integral over 0 ≤ τ ≤ t of x / (1 + x² τ²)
 //! − x / (1 + τ²) ≤ x (1 − x²) τ², which is at most x (1 − x²) t³ / 3 ≤ 2 t³ / (9 √3); so the rotations differ by at
