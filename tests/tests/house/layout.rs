@@ -144,6 +144,7 @@ fn every_source_file_is_part_of_its_crate() {
             || folder.ends_with("/bin")
             || folder.ends_with("/examples")
             || folder.ends_with("/benches")
+            || folder.ends_with("/fuzz_targets")
             || FOLDERS.iter().any(|member| folder == format!("{member}/tests"));
         if is_root {
             continue;
