@@ -3,8 +3,8 @@
 #
 #     bash tests/attack/soak.sh [QUESTIONS [SEED]]
 #
-# 200,000 questions of the seed of today, when nothing is said; a million take about an hour. One process answers them
-# all while its memory is read every second; then fresh processes answer them a thousand at a time. It ends with 1 where
+# 200,000 questions of the seed of today, when nothing is said. One process answers them all while its memory is read
+# every second; then fresh processes answer them a thousand at a time. It ends with 1 where
 # an answer differs, or where the memory of the second half exceeds that of the first by a tenth and 16 MB.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
