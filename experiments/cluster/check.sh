@@ -4,6 +4,7 @@
 #
 #     bash experiments/cluster/check.sh PROGRAM RUN [FOLDER]
 #
+# For machines that are thrown away: it installs what is missing, makes a key of munge, and starts and ends daemons.
 # PROGRAM is zonobench, RUN a folder that its `reproduce` wrote. On Debian, Slurm and munge are installed where they are
 # missing, HyperQueue from PyPI; an engine that cannot be had or does not start is skipped, loudly.
 set -euo pipefail
@@ -27,11 +28,15 @@ being_made() { pgrep -f -- "reproduce .*--out $1( |$)" | head -n 1; }
 wait_for() { for _ in $(seq 600); do "$@" >/dev/null 2>&1 && return; sleep 0.1; done; echo "waited in vain: $*"; return 1; }
 
 by_slurm() {
-  local out=$work/slurm conf=$work/slurm.conf
+  local out=$work/slurm conf=$work/slurm.conf memory
+  memory=$(awk '/^MemAvailable/ { print int($2 / 1024) }' /proc/meminfo)
   mkdir -p "$work/state" "$work/spool" /run/munge
   [ -s /etc/munge/munge.key ] || mungekey --create
   chown munge: /etc/munge/munge.key /run/munge
-  pgrep -x munged >/dev/null || runuser -u munge -- munged
+  if ! pgrep -x munged >/dev/null; then
+    runuser -u munge -- munged
+    started+=("$(pgrep -x munged)")
+  fi
   cat >"$conf" <<END
 ClusterName=check
 SlurmctldHost=$(hostname)
@@ -40,12 +45,13 @@ AuthType=auth/munge
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
+SelectTypeParameters=CR_Core_Memory
 ReturnToService=2
 StateSaveLocation=$work/state
 SlurmdSpoolDir=$work/spool
 SlurmdPidFile=$work/slurmd.pid
 SlurmctldPidFile=$work/slurmctld.pid
-NodeName=$(hostname) CPUs=$(nproc) State=UNKNOWN
+NodeName=$(hostname) CPUs=$(nproc) RealMemory=$memory State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES State=UP
 END
   export SLURM_CONF=$conf

@@ -9,6 +9,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=${1:-$(mktemp -d)}
 mkdir -p "$work"
+work=$(cd "$work" && pwd)
 skipped() { printf '\n*** SKIPPED: %s ***\n\n' "$1"; }
 
 usable() { python3 -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; }
@@ -34,6 +35,8 @@ size=$(stat -c %s "$wheel")
 printf 'the wheel: %s bytes, built in %s s\n' "$size" "$((SECONDS - began))"
 [ "$size" -le 6000000 ] || { echo 'the wheel is larger than 6 MB'; exit 1; }
 "${pip[@]}" install --force-reinstall --no-deps "$wheel"
+# What is imported is the installed package, not the sources beside which this was called.
+cd "$work"
 # The least of some is that of a machine with nothing else to do.
 "$python" - <<'END'
 import subprocess, sys
@@ -46,7 +49,6 @@ END
 
 # The tests run beside the installed package, not beside its sources.
 cp -r "$here/tests" "$here/benchmarks" "$here/tour.ipynb" "$here/README.md" "$here/pyproject.toml" "$work"
-cd "$work"
 export MPLBACKEND=Agg GOLDENS=$here/../../tests/goldens README=$here/../../README.md
 "$python" -m pytest --quiet -rs tests | tee tests.log
 "$python" -m pytest --quiet -rs --pyargs zonotope | tee doctests.log

@@ -1,6 +1,7 @@
 //! Arrays of Python as vectors of the library.
 
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::PyTypeInfo;
 use pyo3::prelude::*;
 
 use crate::border::error;
@@ -33,17 +34,20 @@ pub(crate) fn vectors<const D: usize>(given: &Bound<'_, PyAny>, name: &str) -> P
 
 /// The one vector of an array-like of shape (D,).
 pub(crate) fn vector<const D: usize>(given: &Bound<'_, PyAny>, name: &str) -> PyResult<[f64; D]> {
-    match vectors(given, name)? {
-        Vectors::One(vector) => Ok(vector),
-        Vectors::Many(rows) => {
-            let message = format!("{name} has shape ({}, {D}), not ({D},)", rows.len());
-            Err(error(given.py(), "dimension_mismatch", &message))
-        }
+    let array = doubles(given, name)?;
+    if *array.shape() != [D] {
+        let message = format!("{name} has shape {}, not ({D},)", shape(array.shape()));
+        return Err(error(given.py(), "dimension_mismatch", &message));
     }
+    let numbers = array.as_slice()?;
+    Ok(std::array::from_fn(|i| numbers[i]))
 }
 
-/// The quick way of one question: an array of doubles that lie one after the other.
+/// The quick way of one question: an array of doubles that lie one after the other, and no subclass with a mask.
 fn contiguous_vector<const D: usize>(given: &Bound<'_, PyAny>) -> Option<[f64; D]> {
+    if !PyUntypedArray::is_exact_type_of(given) {
+        return None;
+    }
     let array = given.cast::<PyArray1<f64>>().ok()?.try_readonly().ok()?;
     array.as_slice().ok()?.try_into().ok()
 }

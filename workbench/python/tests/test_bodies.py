@@ -5,8 +5,9 @@ from __future__ import annotations
 import copy
 import math
 import pickle
+from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -106,8 +107,54 @@ def test_errors_are_one_family_with_the_codes_of_the_batch() -> None:
         with pytest.raises(zonotope.ZonotopeError) as caught:
             ask()  # type: ignore[operator]
         assert caught.value.code == code and isinstance(caught.value, ValueError)
-    with pytest.raises(zonotope.NonFinite, match="row 1"):
-        cube.contains([[0.0, 0.0, 0.0], [0.0, math.inf, 0.0]])
+    placed: list[tuple[Callable[[], object], str]] = [
+        (lambda: cube.contains([[0.0, 0.0, 0.0], [0.0, math.inf, 0.0]]), r"points\[1, 1\] is inf"),
+        (lambda: cube.gauge([0.0, 0.0, math.nan]), r"points\[2\] is NaN"),
+        (lambda: cube.extreme_points([[1.0, -math.inf, 0.0]]), r"directions\[0, 1\] is -inf"),
+        (lambda: zonotope.min_length([[0.0, 0.0], [0.0, math.nan]]), r"points\[1, 1\] is nan"),
+        (lambda: zonotope.min_length([[0.0, 0.0]], math.nan), "epsilon is nan"),
+        (lambda: zonotope.Motion(translation=[0, math.inf, 0]), r"translation\[1\] is inf"),
+    ]
+    for ask, place in placed:
+        with pytest.raises(zonotope.NonFinite, match=place):
+            ask()
+
+
+def test_arguments_of_another_kind_are_refused_by_name() -> None:
+    cube: Any = Zonotope([0, 0, 0], np.eye(3))
+    motion = zonotope.Motion()
+    refused: list[tuple[Callable[[], object], str]] = [
+        (lambda: cube.intersects([0, 0, 0]), "other is a list, not a Zonotope"),
+        (lambda: cube.distance(cube.G), "other is a ndarray, not a Zonotope"),
+        (lambda: cube.penetration(None), "other is a NoneType, not a Zonotope"),
+        (lambda: cube.hausdorff((1, 2)), "other is a tuple, not a Zonotope"),
+        (lambda: zonotope.first_contact(cube, cast(Any, [0, 0, 0])), "b is a list, not a Zonotope"),
+        (lambda: zonotope.first_contact(cube, cube, cast(Any, (np.eye(3), [0, 0, 0]))), "motion_a is a tuple, not a"),
+        (lambda: zonotope.track(cube, cast(Any, 3), [], []), "b is a int, not a Zonotope"),
+        (lambda: motion.swept(cast(Any, [1])), "body is a list, not a Zonotope"),
+        (lambda: cube.prepare(-5), "expected is -5"),
+        (lambda: cube.contains(np.ma.masked_array([0.0, 0.0, 0.0], [True, False, False])), "points has masked entries"),
+    ]
+    for ask, words in refused:
+        with pytest.raises(zonotope.BadInput, match=words):
+            ask()
+    with pytest.raises(TypeError, match="A @ Z"):
+        cube @ np.eye(3)
+    with pytest.raises(TypeError, match="multiplied by a number"):
+        np.eye(3) * cube
+    with pytest.raises(zonotope.DimensionMismatch, match=r"translation has shape \(\), not \(3,\)"):
+        cube + 1
+    with pytest.raises(zonotope.DimensionMismatch, match=r"translation has shape \(2,\), not \(3,\)"):
+        zonotope.Motion(translation=[1, 2])
+    assert [0.5, 0, 1] in cube and [2, 0, 0] not in cube
+
+
+def test_faces_beyond_the_memory_are_refused() -> None:
+    many = Zonotope.from_generators(np.random.default_rng(1).normal(size=(4097, 3)))
+    for ask in (many.vertices, many.faces, many.to_mesh):
+        with pytest.raises(zonotope.TooLarge, match="4097 generators can have 16781314 vertices"):
+            ask()
+    assert Zonotope([0, 0, 0], 1e308 * np.eye(3)).volume == math.inf
 
 
 def test_a_panic_does_not_cross_the_border(capfd: pytest.CaptureFixture[str]) -> None:

@@ -67,13 +67,16 @@ def test_motions_of_pieces_are_followed(cube: Zonotope) -> None:
     time = found.time
     assert found.verify() and time is not None and 0.45 < time[0] < 0.5
     rest = [[1.0, 0, 0, 0]]
-    with pytest.raises(zonotope.LengthMismatch, match="1 times of pieces and 2 rows of `to`"):
+    with pytest.raises(zonotope.LengthMismatch, match="until has 1 times and end 2 rows"):
         Motion.from_pieces([1], rest, rest * 2)
+    with pytest.raises(zonotope.NonFinite, match=r"end\[0, 0\] is inf"):
+        Motion.from_pieces([1], rest, [[math.inf, 0, 0, 0]])
+    with pytest.raises(zonotope.DimensionMismatch, match=r"end has shape \(1, 3\), not \(m, 4\)"):
+        Motion.from_pieces([1], rest, [[1, 0, 0]])
     refused: list[tuple[type[zonotope.ZonotopeError], Motion]] = [
         (zonotope.ZeroAxis, Motion.from_pieces([1], rest, [[0, 0, 0, 0]])),
         (zonotope.BadAngle, Motion.from_pieces([1], rest, [[-1, 0, 0, 0]])),
         (zonotope.BadInput, Motion.from_pieces([0.5], rest, rest)),
-        (zonotope.NonFinite, Motion.from_pieces([1], rest, [[math.inf, 0, 0, 0]])),
     ]
     for error, motion in refused:
         with pytest.raises(error):

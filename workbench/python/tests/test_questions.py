@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import threading
+import types
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -98,12 +100,30 @@ def test_distances_depths_and_gaps_have_proofs(random: np.random.Generator) -> N
         if depth:
             direction = depth.direction
             assert direction is not None and 0 < depth.lower and depth.upper <= 1.01 * depth.lower
-            out = depth.upper * direction / np.linalg.norm(direction)
+            out = depth.translation
+            assert np.linalg.norm(direction) == pytest.approx(1, abs=1e-15) and out is not None
             assert not a.intersects(b + 1.0001 * out) and a.intersects(b + 0.98 * out)
         else:
             assert depth.direction is None and depth.upper == 0
         between = a.hausdorff(b)
         assert between.lower <= float(between) <= between.upper and between.verify() and not between.contained
+
+
+def test_bodies_under_poses_are_those_that_were_turned_before(random: np.random.Generator) -> None:
+    quarter = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    for shift in ([0.5, 0, 0], [9.0, 1, 2], [30.0, 0, 0]):
+        a, b = body(random, 8), body(random, 8)
+        turned = quarter @ b + shift
+        whole = np.block([[quarter, np.array(shift)[:, None]]])
+        rotation = types.SimpleNamespace(as_matrix=lambda: quarter)
+        poses: list[Any] = [(quarter, shift), whole, {"matrix": quarter, "translation": shift}, (rotation, shift)]
+        for pose in poses:
+            distance, depth = a.distance(b, pose=pose), a.penetration(b, pose=pose)
+            assert float(distance) == pytest.approx(float(a.distance(turned)), rel=1e-14, abs=1e-14)
+            assert distance.verify() and depth.verify() and bool(depth) == bool(a.intersects(b, pose=pose))
+            assert float(depth) == pytest.approx(a.penetration(turned).upper, rel=0.02)
+    with pytest.raises(zonotope.DimensionMismatch, match="bodies of space"):
+        Zonotope([0, 0], np.eye(2)).distance(Zonotope([5, 0], np.eye(2)), pose=np.eye(4))
 
 
 def test_reductions_contain_the_body(random: np.random.Generator) -> None:

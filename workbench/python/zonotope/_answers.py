@@ -131,9 +131,11 @@ class Reduction(Answer):
 
 
 class Collision(Answer):
-    """Whether two moving bodies meet during a step of time, and when first. It is false where they stay apart.
+    """Whether two moving bodies meet during a step of time, and when first. It is false where they are proved to stay
+    apart, and true otherwise.
 
-    The times are fractions of the step, from 0 to 1.
+    The times are fractions of the step, from 0 to 1. The `intervals` of the proof go from 0 to the end of the step or
+    to the first time: in each of them the bodies are apart along a direction, which is fixed in space or in a body.
 
     >>> import zonotope
     >>> point = zonotope.Zonotope.from_generators([[0, 0, 0]])
@@ -144,17 +146,25 @@ class Collision(Answer):
 
     @property
     def status(self) -> str:
-        """`separate`, `contact`, or `grazing` where neither could be proved within the resolution."""
+        """`separate`, `contact`, or `grazing` where neither could be proved: the bodies come so near that two of their
+        points are within `distance_at_most` at the second time, and may touch or not."""
         return str(self.result["status"])
 
     @property
     def time(self) -> tuple[float, float] | None:
-        """Bounds of the first contact: free before the first, meeting at the second; none if separate."""
+        """Bounds of the first contact: free before the first, meeting at the second, or nearly so for a `grazing`; none
+        if separate."""
         time = self.result.get("time")
         return None if time is None else (number(time[0]), number(time[1]))
 
     def __bool__(self) -> bool:
         return self.status != "separate"
+
+    @property
+    def distance_at_most(self) -> float | None:
+        """An upper bound of the distance at the second time of a `grazing`; none for the others."""
+        distance = self.result.get("distance_at_most")
+        return None if distance is None else number(distance)
 
     def __repr__(self) -> str:
         return f"Collision({self.status!r}, time={self.time!r})"

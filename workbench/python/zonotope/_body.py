@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _errors
 from ._answers import Reduction
 from ._arrays import doubles, listed
-from ._placed import flat, pair_of, pose_of
+from ._placed import behind, flat, pair_of, pose_of
 from ._prepared import Prepared
 from ._relations import Distance, Hausdorff, Intersection, Location, Penetration
 from ._zonotope import Body
@@ -99,22 +100,22 @@ class Zonotope:
 
     @property
     def center(self) -> NDArray[np.float64]:
-        """The centre, a new array of shape (d,)."""
+        """The centre, a new array of shape (d,); to change it does not change the body."""
         return self._body.center()
 
     @property
     def generators(self) -> NDArray[np.float64]:
-        """The generators in rows, a new array of shape (n, d)."""
+        """The generators in rows, a new array of shape (n, d), which `Zonotope.from_generators` takes."""
         return self._body.rows()
 
     @property
     def G(self) -> NDArray[np.float64]:
-        """The generators in columns, shape (d, n)."""
+        """The generators in columns, a new array of shape (d, n), which `Zonotope(c, G)` takes."""
         return self._body.rows().T
 
     @property
     def c(self) -> NDArray[np.float64]:
-        """The centre, shape (d,)."""
+        """The centre, a new array of shape (d,)."""
         return self._body.center()
 
     @property
@@ -148,8 +149,8 @@ class Zonotope:
     # Sums and images
 
     def __add__(self, other: Zonotope | ArrayLike) -> Zonotope:
-        """The Minkowski sum with a body, or the body moved by a vector. Encloses it; equal where no centre is rounded.
-        """
+        """The Minkowski sum with a body, or the body moved by a vector. Encloses it; equal where no centre is rounded,
+        and with up to d short generators more where one is, so that the body still contains all that it should."""
         if isinstance(other, Zonotope):
             return self._of(self._body.sum(other._body))
         return self._of(self._body.translated(other))
@@ -168,13 +169,19 @@ class Zonotope:
         return self._of(self._body.reflected())
 
     def __rmatmul__(self, matrix: ArrayLike) -> Zonotope:
-        """The image under a matrix of shape (e, d). Encloses it; equal where all products are doubles."""
+        """The image under a matrix of shape (e, d). Encloses it; equal where all products are doubles, and with up to e
+        short generators more where they are not."""
         return self._of(self._body.image(matrix))
+
+    def __matmul__(self, matrix: object) -> Zonotope:
+        raise TypeError("the image of a body Z under a matrix A is written A @ Z")
 
     def __mul__(self, factor: float) -> Zonotope:
         """The body times a number. Encloses it; equal where all products are doubles."""
         import numpy as np
 
+        if np.ndim(factor) != 0:
+            raise TypeError("a body is multiplied by a number; the image of Z under a matrix A is A @ Z")
         return self._of(self._body.image(float(factor) * np.eye(self.dimension)))
 
     __rmul__ = __mul__
@@ -239,8 +246,9 @@ class Zonotope:
         Parameters
         ----------
         point : array_like, shape (d,)
-        method : str, optional
-            Another method of the batch than the default one.
+        method : {'by_lad', 'by_slope_selection', 'by_explicit_faces', 'by_linear_program'}, optional
+            Another method than the default one; which there are depends on the dimension, and the message of an error
+            lists them.
 
         Returns
         -------
@@ -254,6 +262,10 @@ class Zonotope:
         """
         at = json.dumps(listed(point, "point", axes=1))
         return Location("member", f'{{"point":{at},{self._body.json()[1:]}', method).now()
+
+    def __contains__(self, point: ArrayLike) -> bool:
+        """Whether one point lies in the closed body, exactly: `point in Z`."""
+        return bool(self._body.contains(point))
 
     def gauge(self, points: ArrayLike) -> Any:
         """How many times the body must be taken, from its centre, to hold each point, within four units in the last
@@ -335,15 +347,13 @@ class Zonotope:
         >>> cube.intersects(cube, pose=([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [2, 0, 0]))
         Intersection('boundary')
         """
-        if pose is None:
-            place = self._body.meets(other._body, None)
-            return Intersection(pair_of(self, other), place)
-        placed = pose_of(pose)
-        place = self._body.meets(other._body, flat(placed))
+        placed = None if pose is None else pose_of(pose)
+        place = self._body.meets(behind(other, "other"), placed and flat(placed))
         return Intersection(pair_of(self, other, None, placed), place)
 
-    def distance(self, other: Zonotope) -> Distance:
-        """The Euclidean distance of two bodies; `float()` of the answer is its value.
+    def distance(self, other: Zonotope, pose: Pose | None = None) -> Distance:
+        """The Euclidean distance of two bodies of one to three dimensions, the other one under a pose as in
+        `intersects`; `float()` of the answer is its value.
 
         Examples
         --------
@@ -352,10 +362,13 @@ class Zonotope:
         >>> float(cube.distance(cube + [5, 0, 0]))
         3.0
         """
-        return Distance(pair_of(self, other), self._body.distance(other._body))
+        placed = None if pose is None else pose_of(pose)
+        value = self._body.distance(behind(other, "other"), placed and flat(placed))
+        return Distance(pair_of(self, other, None, placed), value)
 
-    def penetration(self, other: Zonotope) -> Penetration:
-        """How deep two bodies lie in each other: the least translation that makes them only touch, within 1 %.
+    def penetration(self, other: Zonotope, pose: Pose | None = None) -> Penetration:
+        """How deep two bodies of one to three dimensions lie in each other, the other one under a pose as in
+        `intersects`: the least translation that makes them only touch, within 1 %.
 
         Examples
         --------
@@ -365,10 +378,12 @@ class Zonotope:
         >>> deep.lower <= 0.5 <= deep.upper
         True
         """
-        return Penetration("distance", pair_of(self, other)).now()
+        behind(other, "other")
+        return Penetration("distance", pair_of(self, other, None, None if pose is None else pose_of(pose))).now()
 
     def hausdorff(self, other: Zonotope) -> Hausdorff:
-        """The Hausdorff distance of two bodies, between two proven bounds.
+        """The Hausdorff distance of two bodies, between two proven bounds. A body under a pose (R, t) is `R @ Z + t`,
+        or one that encloses it.
 
         Examples
         --------
@@ -377,6 +392,7 @@ class Zonotope:
         >>> float(segment.hausdorff(3 * segment))
         2.0
         """
+        behind(other, "other")
         return Hausdorff("hausdorff", pair_of(self, other)).now()
 
     def reduce(self, k: int, rule: str = "best") -> Reduction:
@@ -424,13 +440,16 @@ class Zonotope:
 
     @property
     def volume(self) -> float:
-        """Length, area or volume, the nearest double; 0 where the body is flat.
+        """Length, area or volume, the nearest double; 0 where the body is flat, infinite beyond all doubles.
 
         >>> from zonotope import Zonotope
         >>> Zonotope([0, 0, 0], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).volume
         8.0
         """
-        return float(self.exact_volume)
+        try:
+            return float(self.exact_volume)
+        except OverflowError:
+            return math.inf
 
     @property
     def exact_volume(self) -> Fraction:
@@ -455,7 +474,12 @@ class Zonotope:
         return low, high
 
     def vertices(self) -> NDArray[np.float64]:
-        """The vertices, rounded, of shape (m, d); in the plane counter-clockwise.
+        """The vertices, rounded, of shape (m, d), in one to three dimensions; in the plane counter-clockwise.
+
+        Raises
+        ------
+        TooLarge
+            For bodies of space with more generators than 4,096, which can have more than 2**24 vertices.
 
         Examples
         --------

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 class Enclosing(Answer):
     """A zonotope around points, with a lower bound that no such body can beat. It contains every point exactly.
 
+    The proof that no area is less than the bound is the `hull` of the points with the corner that is `farthest` from
+    each of its edges. That of a length are `forces`, vectors λ at points p with the sum zero: a zonotope around the
+    points is at least as long as Σ λ · p over the distance of the farthest vertex of Σ [−1, 1] λ from the origin.
+
     >>> import zonotope
     >>> square = zonotope.min_length([[0, 0], [2, 0], [2, 2], [0, 2]], 1e-9)
     >>> len(square.body), square.ratio < 1.0000001, bool(square.verify())
@@ -32,7 +36,8 @@ class Enclosing(Answer):
 
     @property
     def value(self) -> float:
-        """What is minimised: the area, or the sum of half-lengths."""
+        """What is minimised: the area, or the sum of the half-lengths Σ |g_i|, which is half the length of all
+        segments. With `objective="volume"` it stays the sum of half-lengths, and so do bound and ratio."""
         return number(self.result["area" if "area" in self.result else "length"])
 
     @property
@@ -51,11 +56,14 @@ class Enclosing(Answer):
         return svg_around(self.body, json.loads(self.question)["input"]["points"])
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}(value={self.value!r}, lower_bound={self.lower_bound!r})"
+        return f"{type(self).__name__}(value={self.value!r}, ratio={self.ratio!r}, generators={len(self.body)})"
 
 
 class Along(Answer):
     """The zonotope of least weighted length along given directions, or the proof that there is none.
+
+    The proof that none is cheaper are `forces`, vectors λ at points p with the sum zero and Σ |λ · v| at most the
+    weight of each direction v: their Σ λ · p is the bound.
 
     It is false where there is none.
 
@@ -137,6 +145,7 @@ def along_directions(points: ArrayLike, directions: ArrayLike, weights: ArrayLik
     Parameters
     ----------
     points : array_like, shape (m, d)
+        In one to four dimensions.
     directions : array_like, shape (k, d)
     weights : array_like, shape (k,), optional
         What a unit of each coefficient costs; 1 where absent.
@@ -165,11 +174,12 @@ def min_length(
     max_generators: int | None = None,
     objective: str = "length",
 ) -> Enclosing:
-    """The zonotope of least total length around points of any dimension, within 1 + epsilon (Theorem 4.7).
+    """The zonotope of least total length Σ |g_i| around points, within 1 + epsilon (Theorem 4.7).
 
     Parameters
     ----------
     points : array_like, shape (m, d)
+        In one to four dimensions.
     epsilon : float
         Between 0 and 1.
     max_generators : int, optional

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from . import _errors, _zonotope
 from ._answers import Answer, Collision, body_of
-from ._arrays import doubles, listed
+from ._arrays import listed, vector_of_space
 from ._arrays import number as number_of
-from ._placed import flat, pair_of, pose_of
+from ._placed import behind, flat, pair_of, pose_of
 from ._relations import Intersection
 
 if TYPE_CHECKING:
@@ -56,11 +56,13 @@ class Motion:
         translation: ArrayLike = (0, 0, 0),
     ) -> None:
         self._given: dict[str, Any] = {
-            "axis_point": listed(axis_point, "axis_point", axes=1),
-            "axis": listed(axis, "axis", axes=1),
+            "axis_point": vector_of_space(axis_point, "axis_point"),
+            "axis": vector_of_space(axis, "axis"),
             "angle": number_of(angle, "angle"),
-            "translation": listed(translation, "translation", axes=1),
+            "translation": vector_of_space(translation, "translation"),
         }
+        if not any(self._given["axis"]):
+            raise _errors.ZeroAxis("axis is zero and has no direction")
 
     @classmethod
     def from_pieces(
@@ -105,9 +107,13 @@ class Motion:
             "axis_point": rest if axis_point is None else listed(axis_point, "axis_point", axes=2),
             "translation": rest if translation is None else listed(translation, "translation", axes=2),
         }
-        for name, rows in parts.items():
+        given = {"from": "start", "to": "end"}
+        for part, rows in parts.items():
+            name, wanted = given.get(part, part), 4 if part in given else 3
             if len(rows) != len(times):
-                raise _errors.LengthMismatch(f"{len(times)} times of pieces and {len(rows)} rows of `{name}`")
+                raise _errors.LengthMismatch(f"until has {len(times)} times and {name} {len(rows)} rows")
+            if any(len(row) != wanted for row in rows):
+                raise _errors.DimensionMismatch(f"{name} has shape ({len(rows)}, {len(rows[0])}), not (m, {wanted})")
         pieces = [
             {"until": time, **{name: rows[piece] for name, rows in parts.items()}} for piece, time in enumerate(times)
         ]
@@ -139,7 +145,7 @@ class Motion:
         >>> sorted(swept.result)[0], swept.verify().word
         ('center', 'right')
         """
-        given = f"{body._body.json()[:-1]},{json.dumps(self._given)[1:]}"
+        given = f"{behind(body, 'body').json()[:-1]},{json.dumps(self._given)[1:]}"
         return Answer("sweep", given).now()
 
     def __repr__(self) -> str:
@@ -176,8 +182,12 @@ def first_contact(
     >>> contact.status, contact.time[0] <= 0.5 <= contact.time[1], bool(contact.verify())
     ('contact', True, True)
     """
-    motion = {side: given._given for side, given in (("a", motion_a), ("b", motion_b)) if given is not None}
-    asked = f'{{"a":{a._body.json()},"b":{b._body.json()},"motion":{json.dumps(motion)}'
+    motions = {"a": motion_a, "b": motion_b}
+    for side, given in motions.items():
+        if not isinstance(given, Motion | None):
+            raise _errors.BadInput(f"motion_{side} is a {type(given).__name__}, not a Motion")
+    motion = {side: given._given for side, given in motions.items() if given is not None}
+    asked = f'{{"a":{behind(a, "a").json()},"b":{behind(b, "b").json()},"motion":{json.dumps(motion)}'
     if resolution is not None:
         asked += f',"resolution":{json.dumps(number_of(resolution, "resolution"))}'
     return Collision("collide", asked + "}").now()
@@ -209,7 +219,7 @@ def track(a: Zonotope, b: Zonotope, poses_a: ArrayLike, poses_b: ArrayLike) -> N
     >>> zonotope.track(cube, cube, rest, moved).tolist()
     [-1, 0, 1]
     """
-    return a._body.track(b._body, poses_a, poses_b)
+    return behind(a, "a").track(behind(b, "b"), poses_a, poses_b)
 
 
 class Tracker:
@@ -233,7 +243,7 @@ class Tracker:
 
     def __init__(self, a: Zonotope, b: Zonotope) -> None:
         self._bodies = (a, b)
-        self._tracker = _zonotope.Tracker(a._body, b._body)
+        self._tracker = _zonotope.Tracker(behind(a, "a"), behind(b, "b"))
 
     def frame(self, pose_a: Pose | None = None, pose_b: Pose | None = None) -> Intersection:
         """How the bodies meet in the next frame.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 from typing import TYPE_CHECKING, Any
 
-from . import _zonotope
+from . import _errors, _zonotope
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -24,6 +25,9 @@ class Prepared:
     """
 
     def __init__(self, body: Zonotope, expected: int, bytes: int) -> None:
+        for name, value in (("expected", expected), ("bytes", bytes)):
+            if not 0 <= operator.index(value) < 1 << 64:
+                raise _errors.BadInput(f"{name} is {value}; a number from 0 on is taken")
         self.body = body
         self._prepared = _zonotope.Prepared(body._body, expected, bytes)
 
@@ -36,6 +40,9 @@ class Prepared:
     def bytes(self) -> int:
         """The bytes that the structure holds."""
         return self._prepared.bytes()
+
+    def __repr__(self) -> str:
+        return f"Prepared({self.structure!r}, generators={len(self.body)}, bytes={self.bytes})"
 
     def contains(self, points: ArrayLike) -> Any:
         """As `Zonotope.contains`.

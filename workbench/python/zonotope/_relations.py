@@ -15,6 +15,10 @@ if TYPE_CHECKING:
 class Location(Answer):
     """Where a point lies. It is true where the point belongs to the closed body.
 
+    The proof of a point outside is a `separating_direction` u: u · (x − c) exceeds the sum of all |u · g_i|. That of a
+    member is one of the `coefficients` δ_i in [−1, 1] with c + Σ δ_i g_i = x; the generators of the list `basis` absorb
+    what rounding the others leaves, so that the equation holds exactly.
+
     >>> from zonotope import Zonotope
     >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
     >>> where = square.location([1, 0.5])
@@ -37,7 +41,8 @@ class Location(Answer):
 class Intersection(Answer):
     """How two bodies meet. It is true where they have a point in common; bodies that touch do.
 
-    The proof is made when it is first asked for.
+    The proof is made when it is first asked for. It is that of a `Location`, of the difference of the centres in the
+    body of all generators, those of the first body first.
 
     >>> from zonotope import Zonotope
     >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
@@ -115,13 +120,20 @@ class Distance(Answer):
 class Penetration(Answer):
     """How deep two bodies lie in each other: bounds of the least translation that makes them only touch, within 1 %.
 
-    It is false where the bodies are apart; both bounds are 0 then, and where they only touch.
+    It is false where the bodies are apart; both bounds are 0 then, and where they only touch. `float()` of it is
+    `upper`.
 
     >>> from zonotope import Zonotope
     >>> square = Zonotope([0, 0], [[1, 0], [0, 1]])
     >>> deep = square.penetration(square + [1.5, 0.5])
     >>> deep.lower <= 0.5 <= deep.upper, deep.direction.tolist(), bool(deep.verify())
     (True, [1.0, 0.0], True)
+    >>> diamond = Zonotope([0, 0], [[1, 1], [1, -1]])
+    >>> deep = diamond.penetration(diamond + [2, 1])
+    >>> bool(diamond.intersects(diamond + [2, 1] + 0.999 * deep.translation))
+    True
+    >>> bool(diamond.intersects(diamond + [2, 1] + 1.001 * deep.translation))
+    False
     >>> bool(square.penetration(square + [3, 0]))
     False
     """
@@ -138,12 +150,22 @@ class Penetration(Answer):
 
     @property
     def direction(self) -> NDArray[np.float64] | None:
-        """The direction of a translation of length `upper` that the second body gets out by, of shape (d,); none where
-        the bodies are apart."""
+        """The unit vector, rounded, along which a translation of length `upper` takes the second body out of the first,
+        of shape (d,); none where the bodies are apart."""
         import numpy as np
 
         depth = self.result.get("penetration")
-        return None if depth is None else np.array([number(c) for c in depth["direction"]])
+        if depth is None:
+            return None
+        given = np.array([number(c) for c in depth["direction"]])
+        scaled: NDArray[np.float64] = given / np.abs(given).max()
+        unit: NDArray[np.float64] = scaled / np.sqrt((scaled * scaled).sum())
+        return unit
+
+    @property
+    def translation(self) -> NDArray[np.float64] | None:
+        """The translation `upper * direction`, rounded, that takes the second body out of the first."""
+        return None if self.direction is None else self.upper * self.direction
 
     def _depth(self, name: str) -> float:
         depth = self.result.get("penetration")
@@ -151,6 +173,9 @@ class Penetration(Answer):
 
     def __bool__(self) -> bool:
         return "penetration" in self.result
+
+    def __float__(self) -> float:
+        return self.upper
 
     def __repr__(self) -> str:
         return f"Penetration(lower={self.lower!r}, upper={self.upper!r})"

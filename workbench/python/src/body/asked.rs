@@ -33,19 +33,27 @@ where
     let py = given.py();
     match vectors::<D>(given, name)? {
         Vectors::One(vector) => {
-            let answer = inside(py, || ask(vector))?.map_err(|reason| error(py, "non_finite", &reason.to_string()))?;
+            let answer = inside(py, || ask(vector))?.map_err(|reason| refused(py, name, None, &vector, &reason))?;
             answer.into_bound_py_any(py)
         }
         Vectors::Many(vectors) => {
             let answers = outside(py, || each(&vectors, readings, ask))?;
-            Ok(answers.map_err(|failed| refused(py, name, failed))?.into_pyarray(py).into_any())
+            let answers = answers.map_err(|(row, reason)| refused(py, name, Some(row), &vectors[row], &reason))?;
+            Ok(answers.into_pyarray(py).into_any())
         }
     }
 }
 
-/// The exception for the first row that has no answer.
-pub(crate) fn refused<E: std::fmt::Display>(py: Python<'_>, name: &str, (row, reason): (usize, E)) -> PyErr {
-    error(py, "non_finite", &format!("{name}, row {row}: {reason}"))
+/// The exception for a vector that has no answer. It names the number that is not finite as NumPy would.
+fn refused(py: Python<'_>, name: &str, row: Option<usize>, vector: &[f64], reason: &impl std::fmt::Display) -> PyErr {
+    let coordinate = vector.iter().position(|c| !c.is_finite());
+    let place: Vec<String> = row.into_iter().chain(coordinate).map(|index| index.to_string()).collect();
+    let place = if place.is_empty() { name.to_owned() } else { format!("{name}[{}]", place.join(", ")) };
+    let message = match coordinate {
+        Some(i) => format!("{place} is {}, not a finite number", vector[i]),
+        None => format!("{place}: {reason}"),
+    };
+    error(py, "non_finite", &message)
 }
 
 #[pymethods]
@@ -84,17 +92,18 @@ impl Body {
     /// The way in which two bodies meet, the second under a pose of 12 numbers, matrix and translation, if given.
     fn meets(&self, py: Python<'_>, other: &Self, pose: Option<[f64; 12]>) -> PyResult<i8> {
         if let Some(pose) = pose {
-            let (Any::Three(a), Any::Three(b)) = (&self.0, &other.0) else {
-                return Err(error(py, "dimension_mismatch", "only bodies of space are placed by a pose"));
-            };
-            let pose = pose_of(py, &pose)?;
+            let (a, b, pose) = placed(py, self, other, &pose)?;
             return outside(py, || sign(b.at(&pose).intersection(a).status()));
         }
         of_two!(py, &self.0, &other.0, (a, b) => outside(py, || sign(a.intersection(b).status())))?
     }
 
-    /// The distance of two bodies in up to three dimensions.
-    fn distance(&self, py: Python<'_>, other: &Self) -> PyResult<f64> {
+    /// The distance of two bodies in up to three dimensions, the second under a pose as in `meets`, if given.
+    fn distance(&self, py: Python<'_>, other: &Self, pose: Option<[f64; 12]>) -> PyResult<f64> {
+        if let Some(pose) = pose {
+            let (a, b, pose) = placed(py, self, other, &pose)?;
+            return outside(py, || b.at(&pose).distance(a));
+        }
         match (&self.0, &other.0) {
             (Any::One(a), Any::One(b)) => outside(py, || a.distance(b)),
             (Any::Two(a), Any::Two(b)) => outside(py, || a.distance(b)),
@@ -117,21 +126,32 @@ fn extreme_points<'py, const D: usize>(
     match vectors::<D>(directions, "directions")? {
         Vectors::One(direction) => match extreme(direction) {
             Ok(point) => Ok(PyArray1::from_slice(py, &point).into_any()),
-            Err(reason) => Err(error(py, "non_finite", &reason)),
+            Err(reason) => Err(refused(py, "directions", None, &direction, &reason)),
         },
         Vectors::Many(directions) => {
             let points = outside(py, || each(&directions, body.generators().len(), extreme))?;
-            Ok(rows_of(py, &points.map_err(|failed| refused(py, "directions", failed))?)?.into_any())
+            let refused = |(row, reason)| refused(py, "directions", Some(row), &directions[row], &reason);
+            Ok(rows_of(py, &points.map_err(refused)?)?.into_any())
         }
     }
 }
 
 /// The direction, if all its coordinates are finite.
-fn finite<const D: usize>(direction: [f64; D]) -> Result<[f64; D], String> {
-    match direction.iter().position(|c| !c.is_finite()) {
-        None => Ok(direction),
-        Some(i) => Err(format!("the direction's coordinate {i} is {}, not a finite number", direction[i])),
-    }
+fn finite<const D: usize>(direction: [f64; D]) -> Result<[f64; D], &'static str> {
+    if direction.iter().all(|c| c.is_finite()) { Ok(direction) } else { Err("a direction is not finite") }
+}
+
+/// Two bodies of space, and the pose of the second.
+fn placed<'a>(
+    py: Python<'_>,
+    first: &'a Body,
+    second: &'a Body,
+    pose: &[f64; 12],
+) -> PyResult<(&'a Zonotope<3>, &'a Zonotope<3>, Pose)> {
+    let (Any::Three(a), Any::Three(b)) = (&first.0, &second.0) else {
+        return Err(error(py, "dimension_mismatch", "only bodies of space are placed by a pose"));
+    };
+    Ok((a, b, pose_of(py, pose)?))
 }
 
 /// The pose of 12 numbers, matrix by rows and translation.

@@ -7,6 +7,10 @@ use super::{Any, Body, of_any, rows_of};
 use crate::border::{error, outside};
 use crate::faces::{self, Drawn};
 
+/// The most vertices that a body of space may have for its faces to be listed: about two gigabytes of vertices, facets
+/// and what is sorted to find them. A process that asks for more memory than there is ends without an exception.
+const VERTEX_LIMIT: usize = 1 << 24;
+
 /// Vertices of shape (m, d), the facets as indices of vertices one after the other, and where each facet begins.
 type Parts<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u32>>, Bound<'py, PyArray1<u32>>);
 
@@ -31,17 +35,29 @@ impl Body {
         match &self.0 {
             Any::One(body) => parts(py, outside(py, || faces::of_segment(body))?),
             Any::Two(body) => parts(py, outside(py, || faces::of_zonogon(body))?),
+            Any::Three(body) if vertices_at_most(body.generators().len()) > VERTEX_LIMIT => {
+                let count = body.generators().len();
+                let most = vertices_at_most(count);
+                let message =
+                    format!("{count} generators can have {most} vertices, more than the {VERTEX_LIMIT} that are listed");
+                Err(error(py, "too_large", &message))
+            }
             Any::Three(body) => match outside(py, || faces::in_space(body))? {
                 Ok(drawn) => parts(py, drawn),
                 Err(reason) => Err(error(py, "too_large", &reason.to_string())),
             },
             other => {
                 let message =
-                    format!("faces are listed in one to three dimensions, the body has {}", other.dimension());
+                    format!("vertices and faces are listed in one to three dimensions, the body has {}", other.dimension());
                 Err(error(py, "dimension_mismatch", &message))
             }
         }
     }
+}
+
+/// The vertices of a body of space with so many generators in general position.
+fn vertices_at_most(generators: usize) -> usize {
+    generators.saturating_mul(generators.saturating_sub(1)).saturating_add(2)
 }
 
 fn parts<const D: usize>(py: Python<'_>, drawn: Drawn<D>) -> PyResult<Parts<'_>> {

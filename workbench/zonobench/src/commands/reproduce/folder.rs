@@ -27,7 +27,15 @@ pub enum FolderError {
         .0.display()
     )]
     InUse(PathBuf),
-    /// The folder, or a file in it, cannot be made, read, locked or removed.
+    /// The system knows no lock of a file there, so that two runs could write into one folder.
+    #[error("{}: cannot be locked, as files on some network file systems cannot: {source}", .path.display())]
+    Unlocked {
+        /// The file.
+        path: PathBuf,
+        /// The system's complaint.
+        source: io::Error,
+    },
+    /// The folder, or a file in it, cannot be made, read or removed.
     #[error("{}: cannot be used: {source}", .path.display())]
     Unusable {
         /// The folder or the file.
@@ -60,7 +68,7 @@ impl Folder {
             // A run that ended just now has taken the file away: its folder is finished.
             Ok(()) if unfinished.exists() => {}
             Ok(()) | Err(TryLockError::WouldBlock) => return Err(FolderError::InUse(path.to_path_buf())),
-            Err(TryLockError::Error(error)) => return Err(unusable(&unfinished)(error)),
+            Err(TryLockError::Error(source)) => return Err(FolderError::Unlocked { path: unfinished, source }),
         }
         // A folder that has a manifest is complete: from here on it is not.
         let manifest = path.join(MANIFEST);

@@ -46,6 +46,7 @@ pub(super) fn run(options: &Options, plan: &Plan, shard: Shard) -> anyhow::Resul
         return Ok(Ending::Good);
     }
     let folder = Folder::claim(&scratch, false)?;
+    place.begin(&heading, options.force)?;
     let run = options.run_options(plan, &folder);
     let records = runner::run(&plan.selection.experiments, &run, &RunProgress::default())?;
     let counts = records.counts.into_iter().map(Line::Count);

@@ -27,15 +27,19 @@ pub enum ShardsError {
         /// The fault.
         reason: String,
     },
-    /// A shard belongs to other work, or was made by another program.
-    #[error("{}: belongs to another run than {}: {difference}", .file.display(), .other.display())]
+    /// A shard, or what is kept while one is made, belongs to other work than this run, or to another program.
+    #[error("{}: belongs to another run than the one asked for: {difference}", .path.display())]
     Foreign {
-        /// The shard.
-        file: PathBuf,
-        /// The shard, or the run, that it is held against.
-        other: PathBuf,
+        /// The file, or the folder of an interrupted shard.
+        path: PathBuf,
         /// The first thing in which they differ.
         difference: String,
+    },
+    /// Shards of several runs, or of several programs, lie together. None of them is said to be the wrong one.
+    #[error("the shards are of {} runs: {}", .runs.len(), .runs.join("; "))]
+    Mixed {
+        /// Each run with its number of shards, one of them, and what tells it from the first.
+        runs: Vec<String>,
     },
     /// A shard is there twice.
     #[error("{} and {}: are the same shard", .files[0].display(), .files[1].display())]

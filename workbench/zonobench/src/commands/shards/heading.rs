@@ -5,6 +5,8 @@ use experiments::sharing::{Shard, ShardError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::digest::sha256;
+
 /// The first line of a shard.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::commands) struct Heading {
@@ -16,20 +18,22 @@ pub(in crate::commands) struct Heading {
     program: String,
     /// The work, apart from who does it.
     pub(in crate::commands) work: Value,
-    /// The number of lines that follow.
+    /// The number of lines that follow, and the digest of their text: a file that lost or changed some is no shard.
     pub(super) lines: usize,
+    pub(super) sha256: String,
 }
 
 impl Heading {
     /// The heading of a shard that this program makes.
     pub(in crate::commands) fn new(kind: &str, shard: Shard, work: Value) -> Self {
         let Environment { version, program, .. } = Environment::current();
-        Self { kind: kind.to_owned(), index: shard.index(), count: shard.count(), version, program, work, lines: 0 }
+        let (kind, index, count) = (kind.to_owned(), shard.index(), shard.count());
+        Self { kind, index, count, version, program, work, lines: 0, sha256: String::new() }
     }
 
-    /// The heading before a number of lines.
-    pub(super) fn before(&self, lines: usize) -> Self {
-        Self { lines, ..self.clone() }
+    /// The heading before some lines, each with its end.
+    pub(super) fn before(&self, lines: &str) -> Self {
+        Self { lines: lines.lines().count(), sha256: sha256(lines.as_bytes()), ..self.clone() }
     }
 
     /// The kind of work.

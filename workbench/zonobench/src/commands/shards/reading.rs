@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::ShardsError;
 use super::heading::Heading;
+use crate::digest::sha256;
 
 /// The most missing shards that a complaint names.
 const NAMED_LIMIT: usize = 8;
@@ -24,7 +25,7 @@ impl Part {
         self.content.lines().skip(1)
     }
 
-    fn read(file: PathBuf) -> Result<Self, ShardsError> {
+    pub(super) fn read(file: PathBuf) -> Result<Self, ShardsError> {
         let no_shard = |reason: String| ShardsError::NoShard { file: file.clone(), reason };
         let content = fs::read(&file).map_err(|source| ShardsError::Unreadable { path: file.clone(), source })?;
         let content = String::from_utf8(content).map_err(|error| no_shard(error.to_string()))?;
@@ -35,6 +36,10 @@ impl Part {
         if lines != heading.lines || !content.ends_with('\n') {
             return Err(no_shard(format!("{lines} whole lines follow its heading, not {}", heading.lines)));
         }
+        let text = content.split_once('\n').map_or("", |(_, text)| text);
+        if sha256(text.as_bytes()) != heading.sha256 {
+            return Err(no_shard("its lines are not those that were written".to_owned()));
+        }
         Ok(Self { file, heading, content })
     }
 }
@@ -42,26 +47,31 @@ impl Part {
 /// All shards in the folders, in their order.
 ///
 /// # Errors
-/// If a shard is missing, is there twice, or belongs to other work than the first one; each is named.
+/// If a shard is missing or is there twice, or if they belong to several works; each is named.
 pub(in crate::commands) fn read(folders: &[PathBuf]) -> Result<Vec<Part>, ShardsError> {
     let mut files = Vec::new();
     for folder in folders {
         files.extend(shards_in(folder)?);
     }
-    let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
-    let mut first: Option<(PathBuf, Heading)> = None;
+    let mut runs: Vec<Vec<Part>> = Vec::new();
     for file in files {
         let part = Part::read(file)?;
-        let (other, heading) = first.get_or_insert_with(|| (part.file.clone(), part.heading.clone()));
-        if let Err(difference) = part.heading.check_same(heading) {
-            return Err(ShardsError::Foreign { file: part.file, other: other.clone(), difference });
+        match runs.iter_mut().find(|run| run[0].heading.check_same(&part.heading).is_ok()) {
+            Some(run) => run.push(part),
+            None => runs.push(vec![part]),
         }
+    }
+    if runs.len() > 1 {
+        return Err(mixed(runs));
+    }
+    let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+    for part in runs.into_iter().flatten() {
         if let Some(earlier) = parts.get(&part.heading.index) {
             return Err(ShardsError::Twice { files: [earlier.file.clone(), part.file] });
         }
         parts.insert(part.heading.index, part);
     }
-    let Some((_, heading)) = first else {
+    let Some(heading) = parts.values().next().map(|part| part.heading.clone()) else {
         return Err(ShardsError::None(folders.to_vec()));
     };
     let missing: Vec<usize> = (0..heading.count).filter(|index| !parts.contains_key(index)).collect();
@@ -78,6 +88,20 @@ pub(in crate::commands) fn read(folders: &[PathBuf]) -> Result<Vec<Part>, Shards
         many => format!("{many} shards are"),
     };
     Err(ShardsError::Missing { missing, names })
+}
+
+/// The complaint about shards of several runs, the largest first.
+fn mixed(mut runs: Vec<Vec<Part>>) -> ShardsError {
+    runs.sort_by_key(|run| std::cmp::Reverse(run.len()));
+    let first = runs[0][0].heading.clone();
+    let told = |run: &Vec<Part>| {
+        let known = format!("{} as {}", run.len(), run[0].file.display());
+        match run[0].heading.check_same(&first) {
+            Ok(()) => known,
+            Err(difference) => format!("{known}: {difference}"),
+        }
+    };
+    ShardsError::Mixed { runs: runs.iter().map(told).collect() }
 }
 
 /// The files of a folder that have the name of a shard, in the order of their names.

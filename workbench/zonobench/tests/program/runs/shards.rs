@@ -96,10 +96,23 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
         ("count", 4, &[], "its number of shards is 4, not 3"),
     ] {
         assert_eq!(shard(folder, out, 2, count, more).status, 0);
-        let name =
-            format!("{out}/reproduce.2-of-{count}.shard: belongs to another run than a/reproduce.0-of-3.shard: ");
-        refused(&["merge", "a", out, "--out", "r"], &format!("{name}{difference}"));
+        let runs = format!("2 as a/reproduce.0-of-3.shard; 1 as {out}/reproduce.2-of-{count}.shard: {difference}");
+        // whichever was found first, the larger group is told first
+        for folders in [["a", out], [out, "a"]] {
+            let words = [&["merge"][..], &folders, &["--out", "r"]].concat();
+            refused(&words, &format!("the shards are of 2 runs: {runs}"));
+        }
     }
+    let interrupted = folder.join("left/reproduce.2-of-3.unfinished");
+    fs::create_dir_all(&interrupted).expect("a folder");
+    let of_seed_7 = fs::read_to_string(folder.join("seed/reproduce.2-of-3.shard")).expect("written");
+    fs::write(interrupted.join("work.json"), of_seed_7.lines().next().expect("a heading")).expect("written");
+    fs::write(interrupted.join("reproduce.unfinished"), "").expect("written");
+    let kept = shard(folder, "left", 2, 3, &[]);
+    let complaint = "left/reproduce.2-of-3.unfinished: belongs to another run than the one asked for: its seed is 7, not";
+    assert!(kept.status == 1 && kept.stderr.contains(complaint), "{}", kept.stderr);
+    assert_eq!(shard(folder, "left", 2, 3, &["--force"]).status, 0);
+
     let file = folder.join("a/reproduce.1-of-3.shard");
     let text = fs::read_to_string(&file).expect("written");
     fs::write(&file, text.replacen("\"version\":\"", "\"version\":\"9", 1)).expect("written");
@@ -107,7 +120,11 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
     for torn in [&text[..text.len() - 1], text.split_inclusive('\n').next().expect("a heading"), "", "{}"] {
         fs::write(&file, torn).expect("written");
         refused(&["merge", "a", "--out", "r"], "a/reproduce.1-of-3.shard: is no shard");
+        let again = shard(folder, "a", 1, 3, &[]);
+        assert!(again.status == 1 && again.stderr.contains("is no shard"), "{}", again.stderr);
     }
+    fs::write(&file, text.replacen("\"count\":{", "\"count\": {", 1)).expect("written");
+    refused(&["merge", "a", "--out", "r"], "its lines are not those that were written");
     fs::write(&file, &text).expect("written");
     fs::create_dir(folder.join("b")).expect("a folder");
     fs::copy(&file, folder.join("b/reproduce.1-of-3.shard")).expect("copied");
