@@ -38,8 +38,9 @@ impl Body {
             Any::Three(body) if vertices_at_most(body.generators().len()) > VERTEX_LIMIT => {
                 let count = body.generators().len();
                 let most = vertices_at_most(count);
-                let message =
-                    format!("{count} generators can have {most} vertices, more than the {VERTEX_LIMIT} that are listed");
+                let message = format!(
+                    "{count} generators can have {most} vertices, more than the {VERTEX_LIMIT} that are listed"
+                );
                 Err(error(py, "too_large", &message))
             }
             Any::Three(body) => match outside(py, || faces::in_space(body))? {
@@ -47,8 +48,10 @@ impl Body {
                 Err(reason) => Err(error(py, "too_large", &reason.to_string())),
             },
             other => {
-                let message =
-                    format!("vertices and faces are listed in one to three dimensions, the body has {}", other.dimension());
+                let message = format!(
+                    "vertices and faces are listed in one to three dimensions, the body has {}",
+                    other.dimension()
+                );
                 Err(error(py, "dimension_mismatch", &message))
             }
         }

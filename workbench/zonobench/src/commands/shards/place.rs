@@ -45,7 +45,9 @@ impl Place {
     pub(in crate::commands) fn is_written(&self, heading: &Heading) -> Result<bool, ShardsError> {
         let found = match Part::read(self.file()) {
             Ok(part) => part.heading,
-            Err(ShardsError::Unreadable { source, .. }) if source.kind() == io::ErrorKind::NotFound => return Ok(false),
+            Err(ShardsError::Unreadable { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+                return Ok(false);
+            }
             Err(error) => return Err(error),
         };
         let foreign = |difference| ShardsError::Foreign { path: self.file(), difference };

@@ -109,7 +109,8 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
     fs::write(interrupted.join("work.json"), of_seed_7.lines().next().expect("a heading")).expect("written");
     fs::write(interrupted.join("reproduce.unfinished"), "").expect("written");
     let kept = shard(folder, "left", 2, 3, &[]);
-    let complaint = "left/reproduce.2-of-3.unfinished: belongs to another run than the one asked for: its seed is 7, not";
+    let complaint =
+        "left/reproduce.2-of-3.unfinished: belongs to another run than the one asked for: its seed is 7, not";
     assert!(kept.status == 1 && kept.stderr.contains(complaint), "{}", kept.stderr);
     assert_eq!(shard(folder, "left", 2, 3, &["--force"]).status, 0);
 
