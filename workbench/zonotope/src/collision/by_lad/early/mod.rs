@@ -132,7 +132,7 @@ fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Ta
     if (along - reach).is_positive() {
         return Some(Proof::outside(y, Rung::LeastSquares));
     }
-    // at least that of p; NaN is nowhere
+    // a lower bound of the gauge of p; NaN fails every test below
     let gauge = along.value / reach.value;
     if !(is_thick && gauge < INSIDE_GAUGE) {
         return None;

@@ -9,6 +9,7 @@
 
 use std::cmp::Ordering;
 
+use super::sum_errors::SumErrors;
 use crate::collision::answer::Proof;
 use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
 use crate::collision::proof::vectors::Vectors;
@@ -28,8 +29,7 @@ const NEARLY_ONE: f64 = 1.0 - 1e-9;
 
 /// The proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its opposite; which
 /// of the two cannot be read off u, as its square underflows where the generators are short. The signs are written
-/// anew: of a generator near the plane of the facet there may be a share. `errors` bounds how far a sum of generators
-/// with coefficients in [−1, 1] may be off in doubles. O(n).
+/// anew: of a generator near the plane of the facet there may be a share. O(n).
 pub(super) fn touching(
     query: &dyn KernelQuery,
     vectors: &Vectors<'_>,
@@ -37,7 +37,7 @@ pub(super) fn touching(
     u: &[f64; 3],
     is_reversed: bool,
     signs: &mut [f64],
-    errors: &[f64; 3],
+    errors: &SumErrors<'_>,
 ) -> Option<Proof> {
     let [a, b] = pair.map(|i| vectors.value(i));
     let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
@@ -93,7 +93,9 @@ pub(super) fn touching(
     }
     let others = members.iter().copied().filter(|i| !pair.contains(i));
     let touched = Touched { query, vectors, pair, third, others, signs };
-    let of_pair = touched.coefficients(&rounded, errors).or_else(|| touched.exact_coefficients(left))?;
+    // what the generators off the plane leave is exact, and those of the facet are taken off one by one
+    let errors = errors.after(members.len());
+    let of_pair = touched.coefficients(&rounded, &errors).or_else(|| touched.exact_coefficients(left))?;
     let mut coefficients = signs.to_vec();
     for (i, coefficient) in pair.into_iter().zip(of_pair) {
         coefficients[i] = coefficient;
@@ -173,6 +175,24 @@ mod tests {
         let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location;
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
         Some(location.status().name())
+    }
+
+    /// Generators that are lost in a sum as they are taken off it one by one, and as they are put back.
+    #[test]
+    fn a_facet_of_a_thousand_short_generators_beside_two_long_ones() {
+        let mut random = Pcg64Mcg::seed_from_u64(59);
+        let (high, tiny) = (1.0 + 2f64.powi(-10), 2f64.powi(-60));
+        let mut prism = vec![[high, 1.0, 0.0]];
+        prism.extend((0..1000).map(|k| [0.49 * f64::EPSILON, -tiny * f64::from(k % 7), 0.0]));
+        prism.extend([[-1.0 - 2f64.powi(-9), 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let last = prism.len() - 2;
+        for _ in 0..400 {
+            let below = [1.0, 1.0 - f64::EPSILON / 2.0, 1.0 - 4.0 * f64::EPSILON][random.random_range(0..3)];
+            let part = [0, 1].map(|_| f64::EPSILON * f64::from(random.random_range(-2000_i32..2000)));
+            let p = [part[0], (2.0 + part[1]) * below, below];
+            proved(&prism, p, [0, last]);
+            proved(&prism, [-p[0], p[1], p[2]], [last, 0]);
+        }
     }
 
     #[test]

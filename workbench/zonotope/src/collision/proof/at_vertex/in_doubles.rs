@@ -13,6 +13,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
+use super::sum_errors::SumErrors;
 use crate::collision::answer::Proof;
 use crate::collision::proof::balance::three_coefficients::{minus, solve};
 use crate::collision::proof::vectors::Vectors;
@@ -158,7 +159,8 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     let mut signs = Reused::with_capacity(n);
     signs.resize(n, 0.0);
     let sums = Sums::of(&vectors.parts, &u, &mut signs);
-    // a term goes through at most n / 2 + 16 additions, and a product of two vectors through three roundings more
+    // a term of the pass goes through at most n / 2 + 16 additions, and a product of two vectors through three
+    // roundings more
     let roundings = UNIT * (n / 2 + 16) as f64;
     let error = (roundings * sums.reach + 4.0 * UNIT * sums.terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
     let (along, reach) = (dot(p, &bounded::exact(u)), Bounded { value: sums.reach, error });
@@ -169,13 +171,9 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     if !factor.is_finite() {
         return None;
     }
-    let off = |k: usize| {
-        let size = sums.sizes[k] + own[k].abs();
-        (p[k].error + (roundings + 16.0 * UNIT) * size) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW
-    };
-    let errors = [off(0), off(1), off(2)];
+    let errors = SumErrors { p, sizes: [0, 1, 2].map(|k| sums.sizes[k] + own[k].abs()), count: n };
     if (reach - along).is_positive() {
-        let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors };
+        let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors: &errors };
         let proof = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
         if proof.is_some() {
             return proof;
@@ -199,8 +197,8 @@ struct Facet<'a> {
     sum: [f64; 3],
     /// The factor of the generators that are not in the basis.
     factor: f64,
-    /// A bound on the error of each coordinate that is left for the basis.
-    errors: [f64; 3],
+    /// The error of what is left for the basis.
+    errors: &'a SumErrors<'a>,
 }
 
 impl Facet<'_> {
@@ -210,7 +208,7 @@ impl Facet<'_> {
         let third = self.third(THIRD_CANDIDATES)?;
         let [a, b] = self.pair;
         let left = self.without([a, b, third].into_iter(), signs);
-        self.combined(third, left, signs)
+        self.combined(third, left, signs, &self.errors.after(0))
     }
 
     /// The proof in which all generators of the facet share what is to be made up for in its plane.
@@ -236,7 +234,7 @@ impl Facet<'_> {
                 left = minus(left, -share, &self.vectors.value(i));
             }
         }
-        self.combined(third, left, signs)
+        self.combined(third, left, signs, &self.errors.after(2 * members.len()))
     }
 
     /// The generator that is farthest from the facet's plane among some candidates.
@@ -256,12 +254,12 @@ impl Facet<'_> {
     }
 
     /// The proof with a third generator in the basis, where `left` is the sum of all generators off the basis with
-    /// their signs or shares.
+    /// their signs or shares, off by at most `errors`.
     #[inline]
-    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64]) -> Option<Proof> {
+    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64], errors: &[f64; 3]) -> Option<Proof> {
         let basis = [self.pair[0], self.pair[1], third];
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
-        let own = solve(&basis.map(|i| self.vectors.vector(i)), self.vectors.determinant_error, &rest, &self.errors)?;
+        let own = solve(&basis.map(|i| self.vectors.vector(i)), self.vectors.determinant_error, &rest, errors)?;
         let [Some(first), Some(second), Some(last)] = own else { return None };
         let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
         for (coefficient, i) in [first, second, last].into_iter().zip(basis) {

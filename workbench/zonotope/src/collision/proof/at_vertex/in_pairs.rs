@@ -37,7 +37,7 @@ pub(super) fn location_in_pairs(
     let normal = if is_reversed { computed.map(BoundedDoubleDouble::negated) } else { computed };
     let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
     let mut coefficients = shares.to_vec();
-    // a bound of Σ |v · n| − n · S, which is not zero as some signs are not certain
+    // the sum of |v · n| over the generators whose sign is not certain: Σ |v · n| − n · S is at most twice this
     let mut doubt = BoundedDoubleDouble::exact(0.0);
     for (i, v) in vectors.iter().enumerate() {
         let along = dot(&v.value, u);
@@ -61,8 +61,8 @@ pub(super) fn location_in_pairs(
     }
     let factor = (along / reach).high;
     coefficients.iter_mut().for_each(|coefficient| *coefficient *= factor);
-    // false for NaN as well
-    let is_member = factor < 1.0;
+    // All shares stay in [−1, 1] by such a factor; where n · S is near 0 or below, it may be anything. False for NaN.
+    let is_member = factor.abs() < 1.0;
     if is_member { member(query, vectors, &p, pair, u, coefficients) } else { None }
 }
 

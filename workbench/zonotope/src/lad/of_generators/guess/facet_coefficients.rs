@@ -54,9 +54,11 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
     let scale = square / reach;
     match median {
         Some(median) if scale > 1.0 + GAUGE_TOLERANCE => Err(median.line),
-        // a sum that is too long by rounding is scaled down, and the caller bounds what is missing
+        // A sum that is too long by rounding is scaled down, and so is one that rounding turned around, to nothing: the
+        // caller bounds what is missing.
         _ => {
-            signs.iter_mut().for_each(|sign| *sign *= scale.min(1.0));
+            let part = if scale < 0.0 { 0.0 } else { scale.min(1.0) };
+            signs.iter_mut().for_each(|sign| *sign *= part);
             Ok(signs)
         }
     }
@@ -80,6 +82,18 @@ mod tests {
         // (2, 1) is beyond that edge, which is parallel to the second generator
         assert_eq!(coefficients(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
         assert_eq!(coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
+    }
+
+    #[test]
+    fn coefficients_are_at_most_one_where_rounding_turns_a_sum_around() {
+        // parallel but for rounding, and the target orthogonal to them
+        for tiny in [5e-324, 1e-300, -1e-300, 1e-17, -1e-17, 3e-17] {
+            for target in [[-1.0, 1.0], [1.0, -1.0], [-1.0, 1.0 + f64::EPSILON]] {
+                let vectors = [[1.0, 1.0], [3.0 + tiny, 3.0], [0.1 + 0.2, 0.3], [tiny, 0.0], [0.0, tiny]];
+                let found = facet_coefficients(&vectors, target);
+                assert!(found.is_err() || found.is_ok_and(|shares| shares.iter().all(|share| share.abs() <= 1.0)));
+            }
+        }
     }
 
     #[test]
