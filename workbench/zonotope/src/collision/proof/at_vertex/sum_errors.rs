@@ -3,7 +3,7 @@
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
-/// How far a sum of generators with coefficients in [−1, 1], taken from p, may be off in doubles.
+/// The error in doubles of a sum of generators with coefficients in [−1, 1] that is taken from p.
 pub(super) struct SumErrors<'a> {
     pub(super) p: &'a BoundedVector,
     /// Σ |v| + |p|, coordinate by coordinate.
