@@ -52,8 +52,7 @@ macro_rules! of_two {
             (Five($first), Five($second)) => Ok($value),
             (Six($first), Six($second)) => Ok($value),
             (a, b) => {
-                let message =
-                    format!("the bodies have {} and {} coordinates, not as many", a.dimension(), b.dimension());
+                let message = format!("the bodies have {} and {} coordinates", a.dimension(), b.dimension());
                 Err($crate::border::error($py, "dimension_mismatch", &message))
             }
         }

@@ -126,6 +126,15 @@ def test_bodies_under_poses_are_those_that_were_turned_before(random: np.random.
         Zonotope([0, 0], np.eye(2)).distance(Zonotope([5, 0], np.eye(2)), pose=np.eye(4))
 
 
+def test_bodies_that_only_touch_are_left_without_a_way() -> None:
+    for d in (1, 2, 3):
+        point, box = Zonotope(np.zeros(d), np.zeros((d, 0))), Zonotope(np.zeros(d), np.eye(d))
+        for a, b in [(point, point), (box, box + 2 * np.eye(d)[0]), (point, box + np.ones(d))]:
+            depth = a.penetration(b)
+            assert depth.upper == 0 and depth.verify()
+            assert depth.translation is None or not depth.translation.any()
+
+
 def test_reductions_contain_the_body(random: np.random.Generator) -> None:
     given = body(random, 40)
     for rule in ["best", "girard", "combastel", "pca", "scott", "adaptive", "cluster", "lemma_5_5"]:

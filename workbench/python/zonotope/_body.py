@@ -479,7 +479,7 @@ class Zonotope:
         Raises
         ------
         TooLarge
-            For bodies of space with more generators than 4,096, which can have more than 2**24 vertices.
+            For bodies of space with more than 2**24 vertices, as 4,097 generators in general position have.
 
         Examples
         --------

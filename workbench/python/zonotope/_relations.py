@@ -151,13 +151,15 @@ class Penetration(Answer):
     @property
     def direction(self) -> NDArray[np.float64] | None:
         """The unit vector, rounded, along which a translation of length `upper` takes the second body out of the first,
-        of shape (d,); none where the bodies are apart."""
+        of shape (d,); zero where two points are one, none where the bodies are apart."""
         import numpy as np
 
         depth = self.result.get("penetration")
         if depth is None:
             return None
         given = np.array([number(c) for c in depth["direction"]])
+        if not given.any():
+            return given
         scaled: NDArray[np.float64] = given / np.abs(given).max()
         unit: NDArray[np.float64] = scaled / np.sqrt((scaled * scaled).sum())
         return unit

@@ -2,14 +2,16 @@
 
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
+use zonotope::Zonotope;
+use zonotope::zonotope::combinatorics;
 
 use super::{Any, Body, of_any, rows_of};
 use crate::border::{error, outside};
 use crate::faces::{self, Drawn};
 
-/// The most vertices that a body of space may have for its faces to be listed: about two gigabytes of vertices, facets
-/// and what is sorted to find them. A process that asks for more memory than there is ends without an exception.
-const VERTEX_LIMIT: usize = 1 << 24;
+/// The most vertices that a body of space may have for its faces to be listed. A process that asks for more memory than
+/// there is ends without an exception.
+const VERTEX_LIMIT: u64 = 1 << 24;
 
 /// Vertices of shape (m, d), the facets as indices of vertices one after the other, and where each facet begins.
 type Parts<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u32>>, Bound<'py, PyArray1<u32>>);
@@ -26,7 +28,7 @@ impl Body {
 
     /// Length, area or volume as numerator and denominator in decimal.
     fn exact_volume(&self, py: Python<'_>) -> PyResult<(String, String)> {
-        let measure = of_any!(&self.0, body => outside(py, || zonotope::zonotope::combinatorics(body).measure)?);
+        let measure = of_any!(&self.0, body => outside(py, || combinatorics(body).measure)?);
         Ok((measure.numerator().to_string(), measure.denominator().to_string()))
     }
 
@@ -35,12 +37,9 @@ impl Body {
         match &self.0 {
             Any::One(body) => parts(py, outside(py, || faces::of_segment(body))?),
             Any::Two(body) => parts(py, outside(py, || faces::of_zonogon(body))?),
-            Any::Three(body) if vertices_at_most(body.generators().len()) > VERTEX_LIMIT => {
+            Any::Three(body) if outside(py, || vertices_beyond(body, VERTEX_LIMIT))? => {
                 let count = body.generators().len();
-                let most = vertices_at_most(count);
-                let message = format!(
-                    "{count} generators can have {most} vertices, more than the {VERTEX_LIMIT} that are listed"
-                );
+                let message = format!("the body of {count} generators has more than {VERTEX_LIMIT} vertices");
                 Err(error(py, "too_large", &message))
             }
             Any::Three(body) => match outside(py, || faces::in_space(body))? {
@@ -58,9 +57,11 @@ impl Body {
     }
 }
 
-/// The vertices of a body of space with so many generators in general position.
-fn vertices_at_most(generators: usize) -> usize {
-    generators.saturating_mul(generators.saturating_sub(1)).saturating_add(2)
+/// Whether a body has more vertices. They are counted, which takes much less than to list them, only where so many
+/// generators in general position would have more: those of a plane or of few directions have few vertices.
+fn vertices_beyond(body: &Zonotope<3>, limit: u64) -> bool {
+    let n = body.generators().len() as u64;
+    n.saturating_mul(n.saturating_sub(1)).saturating_add(2) > limit && combinatorics(body).vertices > limit
 }
 
 fn parts<const D: usize>(py: Python<'_>, drawn: Drawn<D>) -> PyResult<Parts<'_>> {
