@@ -35,7 +35,7 @@ by_slurm() {
   chown munge: /etc/munge/munge.key /run/munge
   if ! pgrep -x munged >/dev/null; then
     runuser -u munge -- munged
-    started+=("$(pgrep -x munged)")
+    started+=("$(cat /run/munge/munged.pid)")
   fi
   cat >"$conf" <<END
 ClusterName=check
