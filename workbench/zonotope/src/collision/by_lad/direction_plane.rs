@@ -2,7 +2,7 @@
 
 use super::facet;
 use crate::collision::Query;
-use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::plane::in_doubles::RoundedChart;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{cross, dot, exact};
 

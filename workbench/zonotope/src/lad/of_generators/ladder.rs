@@ -38,7 +38,7 @@ use super::guess::aim::Aim;
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
-use super::plane::guess::Guess;
+use super::plane::in_doubles::Guess;
 use super::problem::Problem;
 use super::seam::kernel_query::KernelQuery;
 use super::search::Searched;

@@ -3,7 +3,7 @@
 use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::goal::{AtVertex, Goal};
-use super::plane::rounded_chart::RoundedChart;
+use super::plane::in_doubles::RoundedChart;
 use super::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 

@@ -15,8 +15,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::aim::Aim;
 use super::vertex_descent::descend;
-use crate::lad::of_generators::plane::guess::Guess;
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines, load};
+use crate::lad::of_generators::plane::in_doubles::{Guess, LineBlock, RoundedLines, load};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::total;
 use crate::numeric::linear::dot;

@@ -13,7 +13,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::crossings::{Crossing, CrossingList};
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines, load};
+use crate::lad::of_generators::plane::in_doubles::{LineBlock, RoundedLines, load};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, slot};
 use crate::numeric::reused::Reused;

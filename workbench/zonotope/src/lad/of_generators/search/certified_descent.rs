@@ -3,7 +3,7 @@
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{Certified, RoundedOptimum, Unproved};
 use crate::lad::of_generators::guess::vertex_descent::{descend_along, descend_nearly};
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::in_doubles::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 
 /// The number of times that the descent goes on from a vertex in which many lines meet.

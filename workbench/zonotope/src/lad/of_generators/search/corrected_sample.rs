@@ -14,7 +14,7 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
 use crate::lad::of_generators::guess::aim::{Aim, SAMPLE_DEVIATIONS};
 use crate::lad::of_generators::guess::sample::Sample;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::in_doubles::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::numeric::reused::{Reused, ReusedBox};

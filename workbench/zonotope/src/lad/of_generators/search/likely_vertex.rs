@@ -4,7 +4,7 @@
 
 use super::best_pair::{Found, PAIRS_LIMIT, steepest};
 use crate::lad::of_generators::guess::vertex_descent::descend;
-use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::plane::in_doubles::RoundedChart;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::reused::Reused;
