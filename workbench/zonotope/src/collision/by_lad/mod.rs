@@ -53,7 +53,7 @@
 mod direction_plane;
 pub(super) mod early;
 mod facet;
-pub(super) mod ladder;
+mod ladder;
 mod scaled;
 
 pub use direction_plane::{DirectionPlane, direction_plane};

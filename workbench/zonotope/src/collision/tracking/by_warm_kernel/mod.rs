@@ -78,7 +78,7 @@ use self::local_sums::{LocalSums, WIDEST_RADIUS};
 use self::pace::{COPY_CHARGE, Pace};
 use self::prediction::{Expected, Prediction};
 use self::query::WarmQuery;
-use crate::collision::by_lad::ladder;
+use crate::collision::by_lad::early;
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
@@ -162,7 +162,7 @@ impl<'b> WarmTracker<'b> {
     /// A frame like a first query, in a pause: what can be learnt and kept of it without a pass is all but free.
     fn fresh(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
         self.kept = None;
-        if let Some(proof) = ladder::early(query, tally) {
+        if let Some(proof) = early::locate(query, tally) {
             return Certificate::Written(proof.counted(tally));
         }
         let optimum = solve(query, Goal::Location, tally);
@@ -213,7 +213,7 @@ impl<'b> WarmTracker<'b> {
     /// A direction that tells what is clear is kept as it is. Where the last one did not hold for long, the optimum,
     /// which leaves more room, is worth a search.
     fn cold(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
-        let clear = ladder::early(query, tally).map(|proof| proof.counted(tally));
+        let clear = early::locate(query, tally).map(|proof| proof.counted(tally));
         let has_failed = matches!(self.kept.take(), Some(Kept::Outside { .. })) && query.len() > WHOLE_LIMIT;
         match clear {
             Some(Location::Outside(Separation::Rounded(direction))) if !has_failed => {

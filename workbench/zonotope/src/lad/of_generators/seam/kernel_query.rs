@@ -19,12 +19,6 @@ pub(crate) trait KernelQuery: Generators {
     /// The displacement p in doubles, with a bound of each coordinate's error.
     fn rounded_displacement(&self) -> BoundedVector;
 
-    /// The displacement in doubles at first sight: with a bound that may be larger.
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        self.rounded_displacement()
-    }
-
     /// The displacement to twice the digits of a double.
     fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3];
 
@@ -84,11 +78,6 @@ impl<P: Standing> KernelQuery for Query<'_, 3, P> {
     #[inline(always)]
     fn rounded_displacement(&self) -> BoundedVector {
         Query::rounded_displacement(self)
-    }
-
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        Query::displacement_estimate(self)
     }
 
     fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
