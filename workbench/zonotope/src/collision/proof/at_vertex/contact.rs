@@ -11,8 +11,7 @@ use std::cmp::Ordering;
 
 use super::sum_errors::SumErrors;
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{Vectors, cross_terms, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
@@ -134,8 +133,7 @@ impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
         let start = minus(*sum, -self.signs[self.third], &self.vectors.value(self.third));
         let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.vectors.value(i)));
-        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.vectors.vector(i));
-        match solve(&basis, self.vectors.determinant_error, &rest, errors)? {
+        match self.vectors.coefficients([self.pair[0], self.pair[1], self.third], &rest, errors)? {
             [Some(first), Some(second), _] => Some([first, second]),
             _ => None,
         }

@@ -15,8 +15,7 @@ use super::contact::touching;
 use super::in_pairs::location_in_pairs;
 use super::sum_errors::SumErrors;
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::{minus, solve};
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{Vectors, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -259,7 +258,7 @@ impl Facet<'_> {
     fn combined(&self, third: usize, left: [f64; 3], shares: &[f64], errors: &[f64; 3]) -> Option<Proof> {
         let basis = [self.pair[0], self.pair[1], third];
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
-        let own = solve(&basis.map(|i| self.vectors.vector(i)), self.vectors.determinant_error, &rest, errors)?;
+        let own = self.vectors.coefficients(basis, &rest, errors)?;
         let [Some(first), Some(second), Some(last)] = own else { return None };
         let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
         for (coefficient, i) in [first, second, last].into_iter().zip(basis) {

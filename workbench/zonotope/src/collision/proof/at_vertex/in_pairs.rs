@@ -8,10 +8,9 @@
 use std::cmp::Ordering;
 
 use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::cross_terms;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::separation::exact_rung;
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{Vectors, cross_terms};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear;
