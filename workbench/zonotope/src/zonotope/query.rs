@@ -75,8 +75,7 @@ impl<'a, const D: usize> Query<'a, D> {
     /// # Panics
     /// If there is no such generator.
     pub fn generator(&self, index: usize) -> [f64; D] {
-        let [first, second] = self.runs();
-        if index < first.len() { first[index] } else { second[index - first.len()] }
+        *self.located(index).1
     }
 }
 
@@ -98,6 +97,15 @@ impl<'a, const D: usize, P: Standing> Query<'a, D, P> {
     /// The bodies, the second one a point where membership is asked for.
     pub fn parts(&self) -> &[Placed<'a, D, P>; 2] {
         &self.parts
+    }
+
+    /// The body of a generator, and the generator as it is stored there.
+    pub(crate) fn located(&self, index: usize) -> (&Placed<'a, D, P>, &'a [f64; D]) {
+        let [first, second] = &self.parts;
+        match index.checked_sub(first.generators().len()) {
+            None => (first, &first.generators()[index]),
+            Some(index) => (second, &second.generators()[index]),
+        }
     }
 
     /// The same query, if E is the dimension in which it is asked. O(1).

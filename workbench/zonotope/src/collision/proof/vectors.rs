@@ -4,7 +4,7 @@
 //! A generator M v is off by less than 4 u |M| |v| in each coordinate, so that vector bounds its rounding and, in the
 //! place of |v|, the terms of every product with it. At rest both are exact.
 
-use crate::lad::of_generators::seam::generators::{Part, generator_of};
+use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::linear::{cyclic_cross_products, dot};
@@ -47,32 +47,25 @@ impl<'a> Vectors<'a> {
     /// A generator by its index.
     #[inline(always)]
     pub(crate) fn value(&self, index: usize) -> [f64; 3] {
-        generator_of(&self.parts, index)
+        of_row(&self.parts, index, Part::image)
     }
 
     /// A generator by its index, with its size.
     #[inline(always)]
     pub(crate) fn vector(&self, index: usize) -> Vector {
-        let [first, second] = &self.parts;
-        match index.checked_sub(first.rows.len()) {
-            None => Self::of_row(first, &first.rows.list()[index]),
-            Some(index) => Self::of_row(second, &second.rows.list()[index]),
-        }
+        of_row(&self.parts, index, Vector::of)
     }
 
     /// A generator to twice the digits of a double.
     #[inline]
     pub(crate) fn pairs(&self, index: usize) -> [BoundedDoubleDouble; 3] {
-        let [first, second] = &self.parts;
-        let of =
-            |part: &Part<'_>, index: usize| part.pair_image(&part.rows.list()[index].map(BoundedDoubleDouble::exact));
-        index.checked_sub(first.rows.len()).map_or_else(|| of(first, index), |index| of(second, index))
+        of_row(&self.parts, index, Part::image_in_pairs)
     }
 
     /// All generators with their sizes.
     #[inline(always)]
     pub(crate) fn iter(&self) -> impl Iterator<Item = Vector> {
-        self.parts.iter().flat_map(|part| part.rows.list().iter().map(move |v| Self::of_row(part, v)))
+        self.parts.iter().flat_map(|part| part.rows.list().iter().map(move |v| Vector::of(part, v)))
     }
 
     /// The coefficients with which three generators make up a rest whose coordinates are off by at most `errors`: those
@@ -104,10 +97,12 @@ impl<'a> Vectors<'a> {
         };
         Some([coefficient(0), coefficient(1), coefficient(2)])
     }
+}
 
+impl Vector {
     #[inline(always)]
-    fn of_row(part: &Part<'_>, v: &[f64; 3]) -> Vector {
-        Vector { value: part.image(v), size: part.image_of_sizes(&v.map(f64::abs)) }
+    fn of(part: &Part<'_>, v: &[f64; 3]) -> Self {
+        Self { value: part.image(v), size: part.image_of_sizes(&v.map(f64::abs)) }
     }
 }
 

@@ -73,6 +73,7 @@ use super::Proximity;
 use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::span::prism::padded;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
@@ -130,8 +131,4 @@ fn direction<const D: usize>(separation: &Separation<D>) -> [f64; D] {
         Separation::Rounded(direction) => *direction,
         Separation::Exact(direction) => direction.each_ref().map(|c| c.to_f64().value()),
     }
-}
-
-fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
-    std::array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
 }

@@ -15,6 +15,7 @@ use super::contact::touching;
 use super::in_pairs::location_in_pairs;
 use super::sum_errors::SumErrors;
 use crate::collision::answer::Proof;
+use crate::collision::proof::balance::well_spread::first_of_largest;
 use crate::collision::proof::vectors::{Vectors, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::Part;
@@ -240,10 +241,8 @@ impl Facet<'_> {
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
         let n = self.vectors.len();
-        let heights = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
-        let heights = heights.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i));
-        let (height, third) = heights.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-        (height > 0.0).then_some(third)
+        let places = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
+        first_of_largest(places.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i)))
     }
 
     /// The signed sum without some generators, whose signs are listed.

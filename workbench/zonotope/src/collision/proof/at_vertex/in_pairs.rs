@@ -8,6 +8,7 @@
 use std::cmp::Ordering;
 
 use crate::collision::answer::Proof;
+use crate::collision::proof::balance::well_spread::first_of_largest;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::separation::exact_rung;
 use crate::collision::proof::vectors::{Vectors, cross_terms};
@@ -113,9 +114,7 @@ fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof 
 
 /// The generator of the largest value, if one is positive.
 fn largest(vectors: &Vectors<'_>, value: impl Fn(usize, &[f64; 3]) -> f64) -> Option<usize> {
-    let values = (0..vectors.len()).map(|i| (value(i, &vectors.value(i)), i));
-    let (largest, index) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-    (largest > 0.0).then_some(index)
+    first_of_largest((0..vectors.len()).map(|i| (value(i, &vectors.value(i)), i)))
 }
 
 /// The coefficients of three generators.

@@ -8,17 +8,22 @@ const BASIS_SAMPLE: usize = 16;
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
 pub(crate) fn well_spread(count: usize, generator: impl Fn(usize) -> [f64; 3]) -> Option<[usize; 3]> {
     let step = count.div_ceil(BASIS_SAMPLE).max(1);
-    let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
-        let keyed = (0..count).step_by(step).map(|i| (key(&generator(i)), i));
-        keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1
-    };
-    let first = best(&|v| dot(v, v));
-    let a = (first != usize::MAX).then(|| generator(first))?;
+    let best =
+        |key: &dyn Fn(&[f64; 3]) -> f64| first_of_largest((0..count).step_by(step).map(|i| (key(&generator(i)), i)));
+    let first = best(&|v| dot(v, v))?;
+    let a = generator(first);
     let second = best(&|v| {
         let product = cross(&a, v);
         dot(&product, &product)
-    });
-    let normal = (second != usize::MAX).then(|| cross(&a, &generator(second)))?;
-    let third = best(&|v| dot(&normal, v).abs());
-    (third != usize::MAX && third != first && third != second).then_some([first, second, third])
+    })?;
+    let normal = cross(&a, &generator(second));
+    let third = best(&|v| dot(&normal, v).abs())?;
+    (third != first && third != second).then_some([first, second, third])
+}
+
+/// The first place of the largest value, if one is positive.
+#[inline]
+pub(crate) fn first_of_largest(values: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
+    let (largest, place) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+    (largest > 0.0).then_some(place)
 }

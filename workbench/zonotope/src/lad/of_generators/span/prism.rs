@@ -101,6 +101,8 @@ fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize)
     Witness { coefficients, basis }
 }
 
-fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+/// A vector as one of space, the coordinates beyond D 0.
+#[inline]
+pub(crate) fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
     array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
 }
