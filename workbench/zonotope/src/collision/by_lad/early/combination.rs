@@ -111,7 +111,7 @@ impl Moments {
         if !(factor > 0.0 && factor < WELL_WITHIN) {
             return None;
         }
-        let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
+        let z = self.hessian.solve_regular(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
         let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
         (lengths.largest(among, generators, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }

@@ -8,7 +8,7 @@
 
 use super::clipped_steps::{Effort, State, StepsEnd, inside, separates};
 use super::combination::{Combination, Stretches};
-use super::huber_dual::{Among, Lengths, Moments, SAMPLE_MARGIN, WELL_WITHIN};
+use super::huber_dual::{Among, Lengths, SAMPLE_MARGIN, WELL_WITHIN, hessian_at_zero};
 use super::scaled_products::ScaledProducts;
 use super::{INSIDE_GAUGE, OUTSIDE_DEVIATIONS, OUTSIDE_GAUGE, locate_by_sample};
 use crate::collision::answer::Proof;
@@ -40,7 +40,7 @@ pub(super) fn are_known(query: &impl KernelQuery) -> bool {
 
 /// The status of p with its proof, if p is far from the boundary.
 pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
-    let (y, is_thick) = Moments::at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
+    let (y, is_thick) = hessian_at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
     if !is_thick {
         return locate_by_sample(query, p, tally);
     }

@@ -28,7 +28,7 @@ use self::clipped_steps::{Effort, SAMPLE_STEPS, State, StepsEnd, inside, separat
 
 use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::Combination;
-use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments};
+use crate::collision::by_lad::early::huber_dual::{Among, Lengths, hessian_at_zero};
 use crate::collision::by_lad::early::least_squares::{Open, of_least, of_least_in_plane};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
 use crate::collision::{Location, Query};
@@ -131,7 +131,7 @@ fn locate_by_steps(query: &impl KernelQuery, p: &BoundedVector, open: &Open, tal
 fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
-    let (y, is_thick) = Moments::at_zero(query, Lengths::Own).solve(&own);
+    let (y, is_thick) = hessian_at_zero(query, Lengths::Own).solve(&own);
     let reach = query.support(&y);
     let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
@@ -160,7 +160,7 @@ fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn
     let part = few.len() as f64 / n as f64;
     let own = p.map(|c| c.value * part);
     let lengths = Lengths::of(&sample);
-    let least = Moments::at_zero(&sample, lengths);
+    let least = hessian_at_zero(&sample, lengths);
     let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(sample, &y).value;
     if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt() && separates(query, p, &y, tally) {
