@@ -29,8 +29,7 @@
 
 use super::cells::nested::NestedCells;
 use super::cells::reduced::{Reduced, USUAL_LEVELS};
-use super::certify::gauge_interval::DecidedOptimum;
-use super::certify::rounded_optimum::RoundedOptimum;
+use super::certify::rounded_optimum::{DecidedOptimum, RoundedOptimum};
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
 use super::goal::{AtVertex, Goal};

@@ -8,7 +8,7 @@
 //! sum, at most ε beyond ±1, the gauge is at most 1 + ε s times as large, where s bounds the gauge of these generators.
 //! The middle of that interval is returned. Where the interval is wide, exact arithmetic answers.
 
-use super::certify::gauge_interval::DecidedOptimum;
+use super::certify::rounded_optimum::DecidedOptimum;
 use super::certify::unit_gauge_bound::unit_gauge_bound;
 use super::exact::solve::exact_gauge;
 use super::ladder::exact_of;

@@ -25,7 +25,7 @@ use super::balance::basis::Basis;
 use super::separation::{self, exact_rung};
 use crate::collision::answer::Proof;
 use crate::collision::{Location, Separation, Witness};
-use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
+use crate::lad::of_generators::certify::rounded_optimum::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::ladder;
 use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
