@@ -32,7 +32,6 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
-mod answer;
 pub mod brute_force;
 pub mod by_explicit_faces;
 pub mod by_lad;

@@ -14,7 +14,6 @@ use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
 use super::early;
-use crate::collision::answer::Proof;
 use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
 use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Query};
@@ -27,6 +26,7 @@ use crate::lad::of_generators::search_from;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 use crate::zonotope::placed::Standing;
 
 /// The location of a displacement of space. Expected O(n).

@@ -5,13 +5,13 @@ use super::INSIDE_GAUGE;
 use super::combination::Combination;
 use super::huber_dual::{Among, Lengths, Moments};
 use crate::collision::Witness;
-use crate::collision::answer::Proof;
 use crate::lad::of_generators::seam::generators::Generators;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::support;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 
 /// A step goes too far if it ends with a slope of more than this part of the slope at its start.
 const OVERSHOOT: f64 = 0.3;

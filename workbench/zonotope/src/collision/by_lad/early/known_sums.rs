@@ -11,12 +11,12 @@ use super::combination::{Combination, Stretches};
 use super::huber_dual::{Among, Lengths, SAMPLE_MARGIN, WELL_WITHIN, hessian_at_zero};
 use super::scaled_products::ScaledProducts;
 use super::{INSIDE_GAUGE, OUTSIDE_DEVIATIONS, OUTSIDE_GAUGE, locate_by_sample};
-use crate::collision::answer::Proof;
 use crate::lad::of_generators::seam::generators::{Generators, Part};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::octet::LANES;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 
 /// Of more generators than this, coefficients are steered by a sample: that takes one pass over memory and not one and
 /// a half.

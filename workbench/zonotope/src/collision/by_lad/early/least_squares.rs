@@ -7,7 +7,6 @@
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
-use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::rest;
 use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
 use crate::collision::by_lad::early::huber_dual::WELL_WITHIN;
@@ -27,6 +26,7 @@ use crate::numeric::linear::{SymmetricMatrix, dot};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 use crate::tally::Rung;
+use crate::zonotope::location::Proof;
 
 /// The number of octets of generators by which the largest coefficient is estimated.
 const SAMPLE: usize = 4;

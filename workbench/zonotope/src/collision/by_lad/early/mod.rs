@@ -26,7 +26,6 @@ pub(crate) mod stratified_pass;
 
 use self::clipped_steps::{Effort, SAMPLE_STEPS, State, StepsEnd, inside, separates};
 
-use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::Combination;
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, hessian_at_zero};
 use crate::collision::by_lad::early::least_squares::{Open, of_least, of_least_in_plane};
@@ -40,6 +39,7 @@ use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 use crate::zonotope::placed::Standing;
 
 /// With at most this many generators no sample is taken.

@@ -10,7 +10,6 @@
 use std::cmp::Ordering;
 
 use super::sum_errors::SumErrors;
-use crate::collision::answer::Proof;
 use crate::collision::proof::vectors::{Vectors, cross_terms, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -21,7 +20,7 @@ use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
-use crate::zonotope::location::Witness;
+use crate::zonotope::location::{Proof, Witness};
 
 /// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;

@@ -14,7 +14,6 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
 use super::sum_errors::SumErrors;
-use crate::collision::answer::Proof;
 use crate::collision::proof::balance::well_spread::first_of_largest;
 use crate::collision::proof::vectors::{Vectors, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
@@ -29,7 +28,7 @@ use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::tally::Rung;
-use crate::zonotope::location::Witness;
+use crate::zonotope::location::{Proof, Witness};
 
 /// The number of generators that are looked at for the third of a basis where the two of the facet make up for
 /// everything in its plane.

@@ -7,7 +7,6 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::answer::Proof;
 use crate::collision::proof::balance::well_spread::first_of_largest;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::separation::exact_rung;
@@ -18,7 +17,7 @@ use crate::numeric::exact_linear;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
-use crate::zonotope::location::{Location, Separation, Witness};
+use crate::zonotope::location::{Location, Proof, Separation, Witness};
 
 /// The location of p, with its proof, from the computed normal u of two generators, which is a × b or, if it is
 /// reversed, its opposite, and a share in [−1, 1] of each other generator: the sign of its product with u, as a rule.
