@@ -6,7 +6,7 @@ use std::fmt;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::{Rung, Tally};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.

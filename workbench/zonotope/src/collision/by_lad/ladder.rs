@@ -27,7 +27,7 @@ use crate::numeric::bounded::BoundedVector;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::location::Proof;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 
 /// The location of a displacement of space. Expected O(n).
 #[inline(never)]

@@ -66,7 +66,7 @@ use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::span::prism::Prism;
 use crate::tally::Tally;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 
 /// Whether the kernel answers in a dimension.
 const fn is_answered(dimension: usize) -> bool {

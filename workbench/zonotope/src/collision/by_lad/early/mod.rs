@@ -40,7 +40,7 @@ use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::location::Proof;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 
 /// With at most this many generators no sample is taken.
 const WHOLE_LIMIT: usize = 320;

@@ -77,7 +77,7 @@ use crate::lad::of_generators::span::prism::padded;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// The proximity of the bodies of a query where they stand: how far apart they are, or how they meet.

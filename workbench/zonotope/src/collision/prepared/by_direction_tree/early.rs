@@ -25,8 +25,8 @@ use crate::numeric::tolerance::{
     PRODUCT_UNDERFLOW, UNIT,
 };
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query};
 
 impl<P: Standing> TreeQuery<'_, P> {
     /// The location of the displacement, if it is far inside or outside: from nodes, or where sums of nodes are of no

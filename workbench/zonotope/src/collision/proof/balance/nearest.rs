@@ -24,8 +24,8 @@ use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::location::{Gauge, Location, Witness};
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query};
 
 /// The coefficients of a witness's basis, each the nearest double or the one beside it; `None` if its generators are
 /// dependent or nothing solves the equation. O(n).

@@ -89,9 +89,8 @@ use crate::numeric::bounded;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Reads, Rung, Tally};
-use crate::zonotope::placed::Placed;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Placed, Query};
 
 /// The search takes all generators at once if there are no more than these: no sums are kept of them.
 const WHOLE_LIMIT: usize = 128;

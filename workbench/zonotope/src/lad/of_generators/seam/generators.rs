@@ -33,7 +33,7 @@ use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::linear::sum_norm;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Results of a pass over the rows of one part that can become results for their images.

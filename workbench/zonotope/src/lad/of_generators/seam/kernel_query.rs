@@ -8,8 +8,8 @@ use crate::numeric::bounded::BoundedVector;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{ExactVector, doubles};
 use crate::tally::Tally;
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query};
 
 /// Generators and the displacement that is asked about.
 pub(crate) trait KernelQuery: Generators {
