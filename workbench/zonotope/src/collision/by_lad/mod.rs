@@ -50,13 +50,11 @@
 //! assert_eq!(by_lad::gauge(&query, &mut ()).value, 2.0);
 //! ```
 
-mod direction_plane;
 pub(super) mod early;
 mod facet;
 mod ladder;
 mod scaled;
 
-pub use direction_plane::{DirectionPlane, direction_plane};
 pub use facet::Facet;
 
 #[cfg(test)]

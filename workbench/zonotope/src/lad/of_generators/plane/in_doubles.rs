@@ -61,11 +61,6 @@ impl RoundedChart {
         Self { axes: [i, j, k], slopes: [p[i] / p[k], p[j] / p[k]], inverse: 1.0 / p[k] }
     }
 
-    /// The axes i and j of the coordinates, and k.
-    pub(crate) fn axes(&self) -> [usize; 3] {
-        self.axes
-    }
-
     /// The line a x + b y + c = v · u.
     #[inline(always)]
     pub(crate) fn line(&self, v: &[f64; 3]) -> [f64; 3] {
