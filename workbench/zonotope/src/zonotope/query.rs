@@ -150,6 +150,12 @@ pub(crate) fn in_space<T, const D: usize, const E: usize>(v: [T; D]) -> [T; E] {
     array::from_fn(|_| coordinates.next().expect("bodies under poses are bodies of space"))
 }
 
+/// A vector as one of space, the coordinates beyond D 0.
+#[inline]
+pub(crate) fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
+}
+
 impl<'a, const D: usize> From<&'a Zonotope<D>> for Placed<'a, D> {
     #[inline]
     fn from(body: &'a Zonotope<D>) -> Self {

@@ -1,11 +1,13 @@
-//! The generators of a query in doubles, with what the proofs in doubles need to know of their rounding, and the
-//! coefficients of three of them that make up for what all others leave, with bounds in terms of coordinates.
+//! The generators of a query in doubles, with what the proofs in doubles need to know of their rounding and of that of
+//! their sums, and the coefficients of three of them that make up for what all others leave. Bounds are in terms of
+//! coordinates.
 //!
 //! A generator M v is off by less than 4 u |M| |v| in each coordinate, so that vector bounds its rounding and, in the
 //! place of |v|, the terms of every product with it. At rest both are exact.
 
 use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::numeric::bounded::BoundedVector;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::linear::{cyclic_cross_products, dot};
 use crate::numeric::tolerance::{
@@ -117,4 +119,30 @@ pub(crate) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
 pub(crate) fn cross_terms(Vector { size: a, .. }: &Vector, Vector { size: b, .. }: &Vector) -> [f64; 3] {
     let terms = |i: usize, j: usize| a[i] * b[j] + a[j] * b[i] + PRODUCT_UNDERFLOW;
     [terms(1, 2), terms(2, 0), terms(0, 1)]
+}
+
+/// The first place of the largest value, if one is positive.
+#[inline]
+pub(crate) fn first_of_largest(values: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
+    let (largest, place) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+    (largest > 0.0).then_some(place)
+}
+
+/// The error in doubles of a sum of generators with coefficients in [−1, 1] that is taken from p.
+pub(crate) struct SumErrors<'a> {
+    pub(crate) p: &'a BoundedVector,
+    /// Σ |v| + |p|, coordinate by coordinate.
+    pub(crate) sizes: [f64; 3],
+    /// The number of generators.
+    pub(crate) count: usize,
+}
+
+impl SumErrors<'_> {
+    /// The bound for each coordinate of a sum of the pass from which so many generators, beside a few, were taken off
+    /// one by one, or to which they were put back: each of these is one more addition for every term before it.
+    pub(crate) fn after(&self, additions: usize) -> [f64; 3] {
+        let roundings = UNIT * (self.count / 2 + 32 + additions) as f64;
+        let lost = (self.count + additions) as f64 * PRODUCT_UNDERFLOW;
+        [0, 1, 2].map(|k| (self.p[k].error + roundings * self.sizes[k]) * LONG_SUM + lost)
+    }
 }

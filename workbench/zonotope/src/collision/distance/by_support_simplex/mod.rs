@@ -73,12 +73,11 @@ use super::Proximity;
 use crate::collision::by_lad::locate;
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
-use crate::lad::of_generators::span::prism::padded;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Standing;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Query, padded};
 
 /// The proximity of the bodies of a query where they stand: how far apart they are, or how they meet.
 pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Proximity<D> {

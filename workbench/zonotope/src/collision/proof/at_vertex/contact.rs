@@ -9,8 +9,7 @@
 
 use std::cmp::Ordering;
 
-use super::sum_errors::SumErrors;
-use crate::collision::proof::vectors::{Vectors, cross_terms, minus};
+use crate::collision::proof::vectors::{SumErrors, Vectors, cross_terms, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;

@@ -13,9 +13,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
-use super::sum_errors::SumErrors;
-use crate::collision::proof::balance::well_spread::first_of_largest;
-use crate::collision::proof::vectors::{Vectors, minus};
+use crate::collision::proof::vectors::{SumErrors, Vectors, first_of_largest, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;

@@ -7,10 +7,9 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::proof::balance::well_spread::first_of_largest;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::separation::exact_rung;
-use crate::collision::proof::vectors::{Vectors, cross_terms};
+use crate::collision::proof::vectors::{Vectors, cross_terms, first_of_largest};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear;

@@ -13,7 +13,6 @@ use std::array;
 
 use super::solve::left_over;
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::span::prism::padded;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::combined_sum::combined_sum;
@@ -25,7 +24,7 @@ use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::location::{Gauge, Location, Witness};
 use crate::zonotope::pose::Standing;
-use crate::zonotope::query::{Placed, Query};
+use crate::zonotope::query::{Placed, Query, padded};
 
 /// The coefficients of a witness's basis, each the nearest double or the one beside it; `None` if its generators are
 /// dependent or nothing solves the equation. O(n).

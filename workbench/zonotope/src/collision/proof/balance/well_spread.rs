@@ -1,5 +1,6 @@
 //! Three generators that are far from lying in one plane, chosen from a sample.
 
+use crate::collision::proof::vectors::first_of_largest;
 use crate::numeric::linear::{cross, dot};
 
 /// The number of generators from which the basis is chosen.
@@ -19,11 +20,4 @@ pub(crate) fn well_spread(count: usize, generator: impl Fn(usize) -> [f64; 3]) -
     let normal = cross(&a, &generator(second));
     let third = best(&|v| dot(&normal, v).abs())?;
     (third != first && third != second).then_some([first, second, third])
-}
-
-/// The first place of the largest value, if one is positive.
-#[inline]
-pub(crate) fn first_of_largest(values: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
-    let (largest, place) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-    (largest > 0.0).then_some(place)
 }

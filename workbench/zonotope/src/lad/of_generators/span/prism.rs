@@ -12,7 +12,7 @@ use crate::numeric::lanes::Extents;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::SQUARABLE_SIZES;
 use crate::zonotope::location::{Location, Witness};
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Query, padded};
 
 /// The points and generators of a prism.
 #[derive(Debug)]
@@ -71,10 +71,4 @@ impl Prism {
     pub(crate) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
         location.lowered(self.own)
     }
-}
-
-/// A vector as one of space, the coordinates beyond D 0.
-#[inline]
-pub(crate) fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
-    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
 }
