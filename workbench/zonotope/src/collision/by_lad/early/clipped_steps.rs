@@ -82,7 +82,7 @@ impl State {
         self.y
     }
 
-    /// The multiple of p that the steps aim at, half the way from p to the boundary: its coefficients times μ < 1 make
+    /// The multiple of p that the steps aim at, half the way from p to the boundary: its coefficients times f < 1 make
     /// up p and stay away from ±1.
     fn aim(&self) -> f64 {
         (1.0 + 1.0 / self.gauge) / 2.0

@@ -1,11 +1,11 @@
 //! Coefficients that make up a point well within the body: those of least size, with the largest ones clipped.
 //!
-//! Let |v| be the largest magnitude of a coordinate of v, t_i = v_i · y / |v_i|, and b_i the t_i clipped to [−1, 1].
-//! The y with Σ b_i v_i = q minimises a convex function, Σ |v_i| huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ
-//! / |v_i| over the generators that are not clipped. Such a y exists just if q is in the body; else y goes to
-//! infinity where a direction separates. From any y, with s = Σ b_i v_i, the coefficients μ b_i, and v_i · z / |v_i|
-//! more where nothing was clipped, combine to p = μ s + H z, and none is larger than μ + |z|_1. Where lengths are
-//! even, the longest length takes the place of all, which spares a division for each generator.
+//! Let l_i = |v_i|_∞, the largest magnitude of a coordinate, t_i = v_i · y / l_i, and b_i the t_i clipped to [−1, 1].
+//! The y with Σ b_i v_i = q minimises a convex function, Σ l_i huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ /
+//! l_i over the generators that are not clipped. Such a y exists just if q is in the body; else y goes to infinity
+//! where a direction separates. From any y, with s = Σ b_i v_i, the coefficients f b_i, and v_i · z / l_i more where
+//! nothing was clipped, combine to p = f s + H z, and none is larger than f + |z|_1. Where lengths are even, the
+//! longest length takes the place of all, which spares a division for each generator.
 //!
 //! All this only finds coefficients (`combination` writes and proves them).
 
@@ -63,7 +63,7 @@ impl Lengths {
         if longest * count_of(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
-    /// An upper bound of (v · z) / |v|: for any v, or for even generators by those of some, with room for others.
+    /// An upper bound of (v · z) / l: for any v, or for even generators by those of some, with room for others.
     #[inline(always)]
     pub(crate) fn largest(self, among: Among<'_>, generators: &impl Generators, z: &[f64; 3]) -> f64 {
         match among {
@@ -204,7 +204,7 @@ fn divided([xx, xy, xz, yy, yz, zz]: [f64; 6], length: f64) -> SymmetricMatrix {
     SymmetricMatrix([xx / length, xy / length, xz / length, yy / length, yz / length, zz / length])
 }
 
-/// Σ v vᵀ / |v|, which is H at y = 0, where no coefficient is clipped.
+/// Σ v vᵀ / l, which is H at y = 0, where no coefficient is clipped.
 #[inline(always)]
 pub(crate) fn hessian_at_zero(generators: &impl Generators, lengths: Lengths) -> SymmetricMatrix {
     generators.over([], |runs, _, []| match lengths {

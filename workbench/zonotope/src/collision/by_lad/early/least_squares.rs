@@ -1,9 +1,9 @@
 //! Small bodies by one solve: the coefficients of least size that make up p, or a direction that separates.
 //!
-//! With M = Σ v vᵀ and w = M^{-1} p, the coefficients v · w combine to p. So do the coefficients v · y / |v|, which
-//! are of more even size, where |v| is the largest magnitude of a coordinate, H = Σ v vᵀ / |v| and y = H^{-1} p. If
-//! all are well within (−1, 1), p is inside. If not, w may separate: Σ |v · w| is summed up as the coefficients are
-//! written. In both cases the traces of the matrices bound Σ |v|, and so all rounding errors.
+//! With H = Σ v vᵀ and y = H^{-1} p, the coefficients v · y combine to p. So do the coefficients v · y / |v|_∞, which
+//! are of more even size, with H = Σ v vᵀ / |v|_∞. If all are well within (−1, 1), p is inside. If not, y may separate:
+//! Σ |v · y| is summed up as the coefficients are written. In both cases the trace of H bounds Σ |v|_∞, and so all
+//! rounding errors.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
@@ -156,7 +156,7 @@ impl Carried for (Sums, usize) {
     }
 }
 
-/// Sums over generators, and at least Σ |v|.
+/// Sums over generators, and at least Σ |v|_∞.
 struct Weighted {
     squares: SymmetricMatrix,
     magnitude: f64,
@@ -252,7 +252,7 @@ fn of_least_at<S: Simd, const OWN: bool>(simd: S, query: &impl KernelQuery, p: &
     let reach = sums.reach;
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-        // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
+        // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|_∞, and |y|_∞
         let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * (longest + UNDERFLOW)) * LONG_SUM
             + n as f64 * PRODUCT_UNDERFLOW;
         if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
@@ -290,7 +290,7 @@ fn of_least_in_plane_at<S: Simd>(
     Err(Open { y, gauge: dot(&own, &y) / sums.reach, is_thick })
 }
 
-/// At least Σ |v|: of v · v / |v| each is, and of v · v the mean is at least the square of that of |v|.
+/// At least Σ |v|_∞: of v · v / |v|_∞ each is, and of v · v the mean is at least the square of that of |v|_∞.
 fn magnitude<const OWN: bool>(squares: &SymmetricMatrix, count: usize) -> f64 {
     let trace = squares.trace();
     if OWN { trace * LONG_SUM } else { (count as f64 * trace).sqrt() * LONG_SUM }
