@@ -190,8 +190,8 @@ impl Default for Pose {
 }
 
 /// Where a body stands: as it is stored ([`AtRest`]), or where a [`Pose`] puts it. A type parameter with two values, so
-/// that the same code serves bodies under poses and bodies as they are stored, and these pay nothing for the possibility
-/// of a pose.
+/// that the same code serves bodies under poses and bodies as they are stored, and these pay nothing for the
+/// possibility of a pose.
 pub trait Standing: Copy + Default + fmt::Debug + PartialEq + Send + Sync + sealed::Sealed {
     /// Whether no value of the type is a pose.
     const IS_FIXED: bool;

@@ -28,8 +28,8 @@ const BLOCK: usize = 512;
 /// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
 const CLEARED_WHEN_TAKEN: usize = 1 << 14;
 
-/// Coefficients as functions of the generators: that of v is clip(v · y / l) times the factor f, and v · z / l more where
-/// nothing was clipped; the header of `huber_dual` says why these combine to a point.
+/// Coefficients as functions of the generators: that of v is clip(v · y / l) times the factor f, and v · z / l more
+/// where nothing was clipped; the header of `huber_dual` says why these combine to a point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Combination {
     y: [f64; 3],
