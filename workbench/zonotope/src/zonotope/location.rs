@@ -85,8 +85,11 @@ impl<const D: usize> Separation<D> {
 }
 
 impl Witness {
-    /// The proof with a basis in any order.
-    pub(crate) fn in_order(coefficients: Vec<f64>, mut basis: [usize; 3]) -> Self {
+    /// The proof with coefficients of their own for a basis, which may be in any order.
+    pub(crate) fn with_basis(mut coefficients: Vec<f64>, mut basis: [usize; 3], own: [f64; 3]) -> Self {
+        for (index, value) in basis.into_iter().zip(own) {
+            coefficients[index] = value;
+        }
         basis.sort_unstable();
         Self { coefficients, basis: basis.to_vec() }
     }

@@ -92,12 +92,9 @@ pub(super) fn touching(
     let touched = Touched { query, vectors, pair, third, others, signs };
     // what the generators off the plane leave is exact, and those of the facet are taken off one by one
     let errors = errors.after(members.len());
-    let of_pair = touched.coefficients(&rounded, &errors).or_else(|| touched.exact_coefficients(left))?;
-    let mut coefficients = signs.to_vec();
-    for (i, coefficient) in pair.into_iter().zip(of_pair) {
-        coefficients[i] = coefficient;
-    }
-    Some(Proof::boundary(Witness::in_order(coefficients, [pair[0], pair[1], third]), Rung::ScaledSigns))
+    let [first, second] = touched.coefficients(&rounded, &errors).or_else(|| touched.exact_coefficients(left))?;
+    let witness = Witness::with_basis(signs.to_vec(), [pair[0], pair[1], third], [first, second, signs[third]]);
+    Some(Proof::boundary(witness, Rung::ScaledSigns))
 }
 
 /// The two generators of the facet that make up for what the others leave: where all shares but one are at their ends,

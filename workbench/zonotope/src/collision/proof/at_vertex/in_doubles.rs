@@ -256,11 +256,9 @@ impl Facet<'_> {
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
         let own = self.vectors.coefficients(basis, &rest, errors)?;
         let [Some(first), Some(second), Some(last)] = own else { return None };
-        let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
-            coefficients[i] = coefficient;
-        }
-        Some(Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients))
+        let coefficients = shares.iter().map(|share| self.factor * share).collect();
+        let witness = Witness::with_basis(coefficients, basis, [first, second, last]);
+        Some(Proof::inside(witness, Rung::RoundedCoefficients))
     }
 }
 

@@ -103,11 +103,8 @@ fn member(
     Some(proof(basis, [first, second, last], coefficients))
 }
 
-fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof {
-    for (coefficient, i) in own.into_iter().zip(basis) {
-        coefficients[i] = coefficient;
-    }
-    Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients)
+fn proof(basis: [usize; 3], own: [f64; 3], coefficients: Vec<f64>) -> Proof {
+    Proof::inside(Witness::with_basis(coefficients, basis, own), Rung::RoundedCoefficients)
 }
 
 /// The generator of the largest value, if one is positive.
