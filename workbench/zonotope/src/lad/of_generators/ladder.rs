@@ -48,7 +48,6 @@ use super::search::cutting_planes::cutting_planes;
 use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
-use super::support::separates;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
@@ -278,7 +277,7 @@ impl Climb<'_, '_> {
             || bounded_sum(Rows::new(&sample.vectors), &direction).value < sample.part_of(query) * (1.0 - error);
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
-            if separates(query, &self.problem.p, &direction) {
+            if query.separates(&self.problem.p, &direction) {
                 return Ok(Optimum::Separated(direction));
             }
         }

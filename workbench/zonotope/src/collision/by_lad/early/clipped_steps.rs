@@ -7,7 +7,6 @@ use super::huber_dual::{Among, Lengths, Moments};
 use crate::collision::Witness;
 use crate::lad::of_generators::seam::generators::Generators;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
-use crate::lad::of_generators::support;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
@@ -151,7 +150,7 @@ impl State {
 /// Whether a direction separates. One pass.
 pub(super) fn separates(query: &impl KernelQuery, p: &BoundedVector, y: &[f64; 3], tally: &mut dyn Tally) -> bool {
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    support::separates(query, p, y)
+    query.separates(p, y)
 }
 
 /// The proof of a member by a combination. One pass.

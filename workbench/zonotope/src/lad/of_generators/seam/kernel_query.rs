@@ -4,9 +4,10 @@ use std::borrow::Cow;
 
 use super::direction_cone::DirectionCone;
 use super::generators::Generators;
-use crate::numeric::bounded::BoundedVector;
+use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{ExactVector, doubles};
+use crate::numeric::linear::dot;
 use crate::tally::Tally;
 use crate::zonotope::pose::Standing;
 use crate::zonotope::query::{Placed, Query};
@@ -24,6 +25,11 @@ pub(crate) trait KernelQuery: Generators {
 
     /// The generators and both ends of the displacement, if doubles hold all of them; images are copied. O(n).
     fn in_doubles(&self) -> Option<InDoubles<'_>>;
+
+    /// Whether u · p > h(u) for the displacement in doubles, proved by one pass.
+    fn separates(&self, p: &BoundedVector, u: &[f64; 3]) -> bool {
+        (dot(p, &bounded::exact(*u)) - self.support(u)).is_positive()
+    }
 
     /// A cell that is likely to hold the optimum, where whoever holds the generators knows more of them than a sample
     /// tells; its centre is a direction u with u · p = 1.
