@@ -9,7 +9,7 @@
 //!    two points.
 //! 4. A cell that many lines cross is searched in the same way, by a sample of those lines.
 
-use super::certified_descent::{Ended, descend_and_certify};
+use super::narrowing::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
 use crate::lad::of_generators::guess::aim::{Aim, SAMPLE_DEVIATIONS};
