@@ -232,8 +232,21 @@ impl RoundedLines {
     ) -> Option<Guess> {
         let missing = 1.0 - self.len() as f64 / aim.population as f64;
         let others = Others { before, share: missing, longest: aim.longest };
+        self.guess_of(moments, band, point, others, aim.deviations)
+    }
+
+    /// The guess whose sides are so many standard deviations of the gradient long, which the lines of the band and some
+    /// of the others have.
+    pub(crate) fn guess_of(
+        &self,
+        moments: &Moments,
+        band: f64,
+        point: [f64; 2],
+        others: Others,
+        deviations: f64,
+    ) -> Option<Guess> {
         let [first, second] = factor(&self.spread(point, band, others))?;
-        let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * aim.deviations));
+        let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * deviations));
         let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
         let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
         (finite(guess.point) && finite(guess.sides[0]) && finite(guess.sides[1])).then_some(guess)
@@ -248,7 +261,7 @@ impl RoundedLines {
     }
 
     /// Σ normal · normalᵀ over the lines of a band, plus a share of it over some of the others.
-    pub(crate) fn spread(&self, point: [f64; 2], band: f64, others: Others) -> Symmetric {
+    fn spread(&self, point: [f64; 2], band: f64, others: Others) -> Symmetric {
         dispatch!(level(), simd => spread(simd, self.blocks(), point, band, others))
     }
 
@@ -367,7 +380,7 @@ pub(crate) fn solve([xx, xy, yy]: &Symmetric, [x, y]: [f64; 2]) -> Option<[f64; 
 }
 
 /// The columns of the lower triangular L with L Lᵀ = the matrix.
-pub(crate) fn factor([xx, xy, yy]: &Symmetric) -> Option<[[f64; 2]; 2]> {
+fn factor([xx, xy, yy]: &Symmetric) -> Option<[[f64; 2]; 2]> {
     let first = xx.sqrt();
     let rest = yy - xy * xy / xx;
     (*xx > 0.0 && rest > 0.0).then(|| [[first, xy / first], [0.0, rest.sqrt()]])
