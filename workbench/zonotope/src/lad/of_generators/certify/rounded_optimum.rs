@@ -18,7 +18,7 @@
 //! vertices is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is
 //! chosen such that δ_a and δ_b have room (`shares`).
 //!
-//! So the gauge is at least u · p / h(u), and at most 1 + `slack` times that, where the slack depends on how thick the
+//! The gauge is at least u · p / h(u), and at most 1 + `slack` times that, where the slack depends on how thick the
 //! body is in its thinnest direction. The thickness costs a pass over the generators, so it is bounded from a part of
 //! them first, and from all generators only where the part leaves a doubt on which side of the boundary p is.
 
