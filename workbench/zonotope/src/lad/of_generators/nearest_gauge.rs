@@ -15,6 +15,7 @@ use super::ladder::exact_of;
 use super::optimum::Optimum;
 use super::seam::generators::{Part, of_row};
 use super::seam::kernel_query::KernelQuery;
+use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
@@ -165,7 +166,13 @@ fn signed_sum(query: &dyn KernelQuery, decided: &DecidedOptimum) -> PairVector {
     for &index in &optimum.basis {
         coefficients[index] = 0.0;
     }
-    query.combined(&coefficients)
+    let mut rest = &coefficients[..];
+    query.parts().iter().fold([BoundedDoubleDouble::exact(0.0); 3], |sum, part| {
+        let (own, others) = rest.split_at(part.rows.len());
+        rest = others;
+        let own = part.pair_image(&combined_sum(part.rows, own));
+        [0, 1, 2].map(|k| sum[k] + own[k])
+    })
 }
 
 fn in_pairs(v: &ExactVector) -> PairVector {

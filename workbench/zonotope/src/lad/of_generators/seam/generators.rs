@@ -315,7 +315,7 @@ impl<'a> Part<'a> {
     }
 
     /// The image of a vector that is known to twice the digits of a double.
-    fn pair_image(&self, v: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+    pub(crate) fn pair_image(&self, v: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
         self.frame.map_or(*v, |frame| frame.pair_image(v))
     }
 
