@@ -22,6 +22,8 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         collision::Method::locate::<D> as *const (),
         collision::Method::gauge::<D> as *const (),
         collision::Method::nearest_gauge::<D> as *const (),
+        collision::by_lad::located::<D, AtRest> as *const (),
+        collision::by_lad::nearly_measured::<D, AtRest> as *const (),
         collision::brute_force::locate::<D, AtRest> as *const (),
         collision::brute_force::gauge::<D, AtRest> as *const (),
         distance::penetration::of_query::<D> as *const (),

@@ -4,6 +4,7 @@
 //! A question for a picture is one of a batch, with the name of a picture as its kind. There is nothing in it to be
 //! proved, and the numbers are rounded, so pictures are no kinds: `solve` does not take them. Indices count from 0.
 
+mod directions;
 mod lines_of_hull;
 mod meshes;
 mod picture;
@@ -26,7 +27,7 @@ pub static PICTURES: &[Picture] = &[
     searches::PRUNING,
     space::FACES,
     space::TILING,
-    space::PLANE_OF_DIRECTIONS,
+    directions::PLANE_OF_DIRECTIONS,
     searches::THEOREM_5_2,
     prepared::CUTTING,
     prepared::DIRECTION_TREE,

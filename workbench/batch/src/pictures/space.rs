@@ -1,15 +1,13 @@
-//! Pictures of zonotopes in space: their faces, the tiling with its dual arrangement, the plane of directions.
+//! Pictures of zonotopes in space: their faces, the tiling with its dual arrangement.
 
 use serde_json::{Value, json};
 use zonotope::arrangement::tiling::by_face_lattice::{FacetTile, facet_tiling};
-use zonotope::collision::Query;
-use zonotope::collision::by_lad::direction_plane;
 use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Zone, faces};
 
-use super::picture::{Picture, optional, vectors};
+use super::picture::{Picture, vectors};
 use super::sheet::{Part, Sheet, Table, index};
-use crate::json::{to_json, vector_to_json};
+use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
 
 /// The most generators whose faces are listed.
@@ -131,28 +129,5 @@ pub(super) const TILING: Picture = Picture {
             ("left_side", Part::Plain(json!(tiling.left_side))),
             ("vertical_facets", Part::Plain(json!(tiling.vertical_facets))),
         ]))
-    },
-};
-
-pub(super) const PLANE_OF_DIRECTIONS: Picture = Picture {
-    name: "plane_of_directions",
-    summary: "the kernel's plane of directions: the line of each generator, and the optimum",
-    fields: &["point", "center", "generators"],
-    draw: |fields| {
-        let body = fields.zonotope::<3>()?;
-        let query = Query::of_point(fields.vector("point")?, &body).expect("the numbers of a question are finite");
-        let Some(plane) = direction_plane(&query) else {
-            let message = "the point is the centre, or farther from it than doubles reach: there is no plane";
-            return Err(Refusal::bad_input(message));
-        };
-        let content = json!({
-            "displacement": vector_to_json(&plane.displacement),
-            "origin": vector_to_json(&plane.origin),
-            "axes": vectors(&plane.axes),
-            "lines": vectors(&plane.lines),
-            "optimum": optional(plane.optimum, |point| vector_to_json(&point)),
-            "gauge": to_json(plane.gauge),
-        });
-        Ok(content.into())
     },
 };

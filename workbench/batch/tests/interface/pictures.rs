@@ -106,7 +106,26 @@ fn searches_and_planes_agree_with_locations_and_gauges() {
             if let (Some(drawn), Some(exact)) = (drawn, exact) {
                 assert!((drawn - exact).abs() <= 1e-12 * exact, "{input}");
             }
-            assert_eq!(plane["lines"].as_array().map(Vec::len), Some(generators.len()));
+            let rows =
+                |field: &str| -> Vec<Vec<f64>> { serde_json::from_value(plane[field].clone()).expect("numbers") };
+            let lines = rows("lines");
+            assert_eq!(lines.len(), generators.len());
+            let support = |[x, y]: [f64; 2]| lines.iter().map(|l| (l[0] * x + l[1] * y + l[2]).abs()).sum::<f64>();
+            let optimum: Option<[f64; 2]> = serde_json::from_value(plane["optimum"].clone()).expect("a point or none");
+            if let (Some([x, y]), Some(gauge)) = (optimum, drawn) {
+                assert!((support([x, y]) * gauge - 1.0).abs() < 1e-12, "{input}");
+                let nearby = [[x + 0.01, y], [x - 0.01, y], [x, y + 0.01], [x, y - 0.01]];
+                assert!(nearby.iter().all(|beside| support(*beside) * gauge >= 1.0 - 1e-12), "{input}");
+            }
+            let (origin, axes) = (plane["origin"].clone(), rows("axes"));
+            let origin: [f64; 3] = serde_json::from_value(origin).expect("a vector");
+            let [x, y] = [0.5, -2.0];
+            let u = [0, 1, 2].map(|k| origin[k] + x * axes[0][k] + y * axes[1][k]);
+            let times = |v: [f64; 3]| v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+            assert!((times(point) - 1.0).abs() < 1e-12, "{input}");
+            for (generator, line) in generators.iter().zip(&lines) {
+                assert!((times(*generator) - (line[0] * x + line[1] * y + line[2])).abs() < 1e-12, "{input}");
+            }
         }
     }
 }

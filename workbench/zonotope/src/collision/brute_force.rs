@@ -49,7 +49,7 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::Span;
 use crate::zonotope::location::{Gauge, Location, Separation, Status};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Where the displacement lies, with a proof.

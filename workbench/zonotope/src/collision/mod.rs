@@ -32,7 +32,6 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
-mod answer;
 pub mod brute_force;
 pub mod by_explicit_faces;
 pub mod by_lad;
@@ -51,6 +50,6 @@ pub mod upper_hull;
 pub use by_lad::{gauge, locate};
 
 pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness};
-pub use crate::zonotope::placed::{AtRest, Placed, Standing};
-pub use crate::zonotope::query::Query;
+pub use crate::zonotope::pose::{AtRest, Standing};
+pub use crate::zonotope::query::{Placed, Query};
 pub use doors::{Method, MethodError, PreparedFor};

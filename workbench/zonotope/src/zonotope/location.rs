@@ -1,10 +1,12 @@
-//! The answers to a [`Query`], each with its proof: a location, a gauge.
+//! The answers to a [`Query`], each with its proof: a location, a gauge; and a location with the rung that proved it.
 
+use std::array;
 use std::fmt;
 
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::zonotope::placed::Standing;
+use crate::tally::{Rung, Tally};
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
@@ -83,10 +85,24 @@ impl<const D: usize> Separation<D> {
 }
 
 impl Witness {
-    /// The proof with a basis in any order.
-    pub(crate) fn in_order(coefficients: Vec<f64>, mut basis: [usize; 3]) -> Self {
+    /// The proof with coefficients of their own for a basis, which may be in any order.
+    pub(crate) fn with_basis(mut coefficients: Vec<f64>, mut basis: [usize; 3], own: [f64; 3]) -> Self {
+        for (index, value) in basis.into_iter().zip(own) {
+            coefficients[index] = value;
+        }
         basis.sort_unstable();
         Self { coefficients, basis: basis.to_vec() }
+    }
+
+    /// The proof for a body with `own` generators, from that for its prism.
+    pub(crate) fn lowered(self, own: usize) -> Self {
+        let Self { mut coefficients, mut basis } = self;
+        coefficients.truncate(own);
+        // the indices are in increasing order
+        while basis.last().is_some_and(|&generator| generator >= own) {
+            basis.pop();
+        }
+        Self { coefficients, basis }
     }
 }
 
@@ -103,6 +119,68 @@ impl<const D: usize> Location<D> {
             Self::Boundary(_) => Status::Boundary,
             Self::Outside(_) => Status::Outside,
         }
+    }
+
+    /// The answer for a body of R^E with `own` generators, from that for its prism in R^D, or for itself if D = E.
+    #[inline]
+    pub(crate) fn lowered<const E: usize>(self, own: usize) -> Location<E> {
+        match self {
+            Self::Inside(proof) => Location::Inside(proof.lowered(own)),
+            Self::Boundary(proof) => Location::Boundary(proof.lowered(own)),
+            Self::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
+            Self::Outside(Separation::Exact(u)) => {
+                Location::Outside(Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))))
+            }
+        }
+    }
+}
+
+impl<const D: usize> Gauge<D> {
+    /// The gauge for a body of R^E with `own` generators, from that for its prism in R^D, or for itself if D = E.
+    pub(crate) fn lowered<const E: usize>(self, own: usize) -> Gauge<E> {
+        let Self { value, error, location } = self;
+        Gauge { value, error, location: location.lowered(own) }
+    }
+}
+
+/// A location with its proof, and the rung by which the proof was found.
+#[derive(Debug, Clone)]
+pub(crate) struct Proof {
+    pub(crate) location: Location<3>,
+    pub(crate) rung: Rung,
+}
+
+impl Proof {
+    /// The proof of a displacement in the interior.
+    pub(crate) fn inside(witness: Witness, rung: Rung) -> Self {
+        Self { location: Location::Inside(witness), rung }
+    }
+
+    /// The proof of a member that is not in the interior.
+    pub(crate) fn boundary(witness: Witness, rung: Rung) -> Self {
+        Self { location: Location::Boundary(witness), rung }
+    }
+
+    /// The proof by a direction of doubles that separates.
+    pub(crate) fn outside(direction: [f64; 3], rung: Rung) -> Self {
+        Self { location: Location::Outside(Separation::Rounded(direction)), rung }
+    }
+
+    /// The direction of doubles that separates, if that is the proof.
+    pub(crate) fn direction(&self) -> Option<[f64; 3]> {
+        match self.location {
+            Location::Outside(Separation::Rounded(direction)) => Some(direction),
+            _ => None,
+        }
+    }
+
+    /// The location, its rung counted. The rung of a displacement of zero has been counted by the search that ended
+    /// there.
+    pub(crate) fn counted(self, tally: &mut dyn Tally) -> Location<3> {
+        if self.rung != Rung::ZeroDisplacement {
+            tally.answered_by(self.rung);
+        }
+        self.location
     }
 }
 

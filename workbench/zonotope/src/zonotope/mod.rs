@@ -11,9 +11,9 @@
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
-//! | [`placed`] | a body where it stands, under a pose or not: what questions are asked about |
+//! | [`pose`] | a matrix and a translation, and whether a body stands under them or as it is stored |
 //! | [`prepared`] | a body prepared for many questions |
-//! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
+//! | [`query`] | what membership, intersection and gauge ask: a displacement between placed bodies, and their generators |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
@@ -26,7 +26,6 @@ mod matrices;
 pub mod named;
 mod operations;
 pub mod passes;
-pub mod placed;
 pub mod pose;
 pub mod prepared;
 pub mod query;
@@ -37,5 +36,6 @@ pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError, support_of};
 pub use operations::BoundingBox;
-pub use placed::{AtRest, Placed, Standing};
+pub use pose::{AtRest, Standing};
 pub use prepared::PreparedBody;
+pub use query::Placed;

@@ -5,6 +5,8 @@
 //! that is a rotation but for rounding makes a body that is congruent to the original one but for rounding, and
 //! [`Pose::distance_from_rotation`] says how nearly.
 
+use std::fmt;
+
 use thiserror::Error;
 
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -111,11 +113,6 @@ impl Pose {
         &self.matrix
     }
 
-    /// The same matrix with another translation of finite coordinates.
-    pub(crate) fn translated_to(self, translation: [f64; 3]) -> Self {
-        Self { translation, ..self }
-    }
-
     /// At least the sum of the magnitudes of the matrix's entries.
     #[inline(always)]
     pub(crate) fn magnitude(&self) -> f64 {
@@ -189,6 +186,60 @@ impl Pose {
 impl Default for Pose {
     fn default() -> Self {
         Self::IDENTITY
+    }
+}
+
+/// Where a body stands: as it is stored ([`AtRest`]), or where a [`Pose`] puts it. A type parameter with two values, so
+/// that the same code serves bodies under poses and bodies as they are stored, and these pay nothing for the
+/// possibility of a pose.
+pub trait Standing: Copy + Default + fmt::Debug + PartialEq + Send + Sync + sealed::Sealed {
+    /// Whether no value of the type is a pose.
+    const IS_FIXED: bool;
+
+    /// The pose, if there is one.
+    fn pose(&self) -> Option<&Pose>;
+
+    /// The same with another translation, if there is a pose; every coordinate is finite.
+    #[doc(hidden)]
+    fn with_translation(self, translation: [f64; 3]) -> Self;
+}
+
+mod sealed {
+    /// No type outside of the library says where a body stands.
+    pub trait Sealed {}
+
+    impl Sealed for super::AtRest {}
+
+    impl Sealed for super::Pose {}
+}
+
+/// The standing of a body that is taken as it is stored.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct AtRest;
+
+impl Standing for AtRest {
+    const IS_FIXED: bool = true;
+
+    #[inline(always)]
+    fn pose(&self) -> Option<&Pose> {
+        None
+    }
+
+    fn with_translation(self, _: [f64; 3]) -> Self {
+        self
+    }
+}
+
+impl Standing for Pose {
+    const IS_FIXED: bool = false;
+
+    #[inline(always)]
+    fn pose(&self) -> Option<&Pose> {
+        Some(self)
+    }
+
+    fn with_translation(self, translation: [f64; 3]) -> Self {
+        Self { translation, ..self }
     }
 }
 

@@ -7,6 +7,8 @@
 //! the one over rows.
 
 use super::Zonotope;
+use super::pose::Pose;
+use super::query::Placed;
 use crate::numeric::lanes::body_sums::laid_out;
 use crate::numeric::lanes::rows::LaidOut;
 use crate::numeric::lanes::{absolute_sum_of, extreme_sum_of};
@@ -30,10 +32,16 @@ impl PreparedBody {
         &self.body
     }
 
-    /// What was prepared.
+    /// The body where a pose puts it, without a copy of anything: blocks serve under any pose. O(1).
     #[inline]
-    pub(crate) fn laid_out(&self) -> &LaidOut {
-        &self.laid_out
+    pub fn at(&self, pose: &Pose) -> Placed<'_, 3, Pose> {
+        self.placed().at(pose)
+    }
+
+    /// The body as it is stored. O(1).
+    #[inline]
+    pub fn placed(&self) -> Placed<'_> {
+        self.into()
     }
 
     /// The bytes that are held, the generators included.
@@ -51,6 +59,20 @@ impl PreparedBody {
     /// from their rows. O(n).
     pub fn extreme_sum(&self, direction: &[f64; 3]) -> [f64; 3] {
         extreme_sum_of(&self.laid_out.blocks(), direction)
+    }
+}
+
+impl<'a> From<&'a PreparedBody> for Placed<'a> {
+    #[inline]
+    fn from(prepared: &'a PreparedBody) -> Self {
+        Self::from(&prepared.body).with_blocks(&prepared.laid_out)
+    }
+}
+
+impl<'a> From<&'a PreparedBody> for Placed<'a, 3, Pose> {
+    #[inline]
+    fn from(body: &'a PreparedBody) -> Self {
+        body.at(&Pose::IDENTITY)
     }
 }
 

@@ -1,17 +1,183 @@
-//! The query under membership, intersection and gauge.
+//! The query under membership, intersection and gauge, and the placed bodies that it is about.
 
 use std::array;
 
 use super::implicit::Zonotope;
-use super::placed::{AtRest, Placed, Standing};
-use super::pose::Pose;
+use super::pose::{AtRest, Pose, Standing};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::rows::{LaidOut, Rows};
 use crate::numeric::linear::max_norm;
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::tolerance::{DISPLACEMENT_ACCURACY, PRODUCT_UNDERFLOW, UNIT};
+
+/// A body that questions are asked about, prepared or not, where it stands: references to its parts, nothing copied.
+///
+/// [`Zonotope::at`] and [`PreparedBody::at`](super::PreparedBody::at) make one under a pose. Wherever one is expected,
+/// `&body` is the body as it stands: bodies with and without a pose are asked about each other.
+#[derive(Debug, Clone, Copy)]
+pub struct Placed<'a, const D: usize = 3, P = AtRest> {
+    center: [f64; D],
+    generators: &'a [[f64; D]],
+    /// What was prepared of the generators, in space.
+    laid_out: Option<&'a LaidOut>,
+    standing: P,
+}
+
+impl<'a, const D: usize> Placed<'a, D> {
+    /// A body of a centre and generators that are known to be finite, as it is stored.
+    #[inline]
+    pub(crate) fn of_finite(center: [f64; D], generators: &'a [[f64; D]]) -> Self {
+        Self { center, generators, laid_out: None, standing: AtRest }
+    }
+}
+
+impl<'a> Placed<'a> {
+    /// The body where a pose puts it. O(1).
+    #[inline]
+    pub fn at(self, pose: &Pose) -> Placed<'a, 3, Pose> {
+        self.standing_as(*pose)
+    }
+
+    /// The body with what was prepared of its generators.
+    #[inline]
+    pub(crate) fn with_blocks(self, laid_out: &'a LaidOut) -> Self {
+        Self { laid_out: Some(laid_out), ..self }
+    }
+
+    /// The body in a standing of either kind.
+    #[inline]
+    pub(crate) fn standing_as<P: Standing>(self, standing: P) -> Placed<'a, 3, P> {
+        let Self { center, generators, laid_out, .. } = self;
+        Placed { center, generators, laid_out, standing }
+    }
+}
+
+impl<'a, const D: usize, P: Standing> Placed<'a, D, P> {
+    /// A point, which no pose moves.
+    #[inline]
+    pub(crate) fn point(center: [f64; D]) -> Self {
+        Self { center, generators: &[], laid_out: None, standing: P::default() }
+    }
+
+    /// The centre of the body as it is stored.
+    #[inline]
+    pub fn center(&self) -> [f64; D] {
+        self.center
+    }
+
+    /// The generators as they are stored.
+    #[inline]
+    pub fn generators(&self) -> &'a [[f64; D]] {
+        self.generators
+    }
+
+    /// Where the body stands.
+    #[inline]
+    pub fn standing(&self) -> &P {
+        &self.standing
+    }
+
+    /// The same body, if E is its dimension. O(1).
+    #[inline]
+    pub(crate) fn in_dimension<const E: usize>(&self) -> Option<Placed<'a, E, P>> {
+        let Self { laid_out, standing, .. } = *self;
+        let generators = self.generators.as_flattened().as_chunks::<E>().0;
+        (D == E).then_some(Placed { center: *self.center.first_chunk()?, generators, laid_out, standing })
+    }
+
+    /// The same body, if it stands as it is stored. O(1).
+    #[inline]
+    pub(crate) fn at_rest(&self) -> Option<Placed<'a, D>> {
+        let Self { center, generators, laid_out, .. } = *self;
+        P::IS_FIXED.then_some(Placed { center, generators, laid_out, standing: AtRest })
+    }
+
+    /// The centre where it stands, exactly.
+    pub(crate) fn exact_center(&self) -> [Dyadic; D] {
+        match self.standing.pose().zip(self.center.first_chunk::<3>()) {
+            None => self.center.map(Dyadic::from_f64),
+            Some((pose, center)) => in_space(pose.exact_point(*center)),
+        }
+    }
+
+    /// The centre where it stands, to twice the digits of a double.
+    #[inline]
+    pub(crate) fn center_in_pairs(&self) -> [BoundedDoubleDouble; D] {
+        let of = BoundedDoubleDouble::exact;
+        let center = self.center.map(of);
+        let Some(pose) = self.standing.pose() else { return center };
+        let (image, translation) = (pose.pair_image(&in_space(center)), pose.translation());
+        in_space([0, 1, 2].map(|k| image[k] + of(translation[k])))
+    }
+
+    /// The image of a vector under the matrix of the pose, to twice the digits of a double.
+    #[inline]
+    pub(crate) fn pair_image(&self, v: [BoundedDoubleDouble; D]) -> [BoundedDoubleDouble; D] {
+        match self.standing.pose() {
+            None => v,
+            Some(pose) => in_space(pose.pair_image(&in_space(v))),
+        }
+    }
+
+    /// The image of a vector under the matrix of the pose, exactly.
+    pub(crate) fn exact_image(&self, v: [Dyadic; D]) -> [Dyadic; D] {
+        match self.standing.pose() {
+            None => v,
+            Some(pose) => in_space(pose.exact_image(&in_space(v))),
+        }
+    }
+}
+
+impl<'a, P: Standing> Placed<'a, 3, P> {
+    /// The body with its centre where it stands at a place of finite coordinates.
+    pub(crate) fn centered_at(self, place: [f64; 3]) -> Self {
+        let center = if P::IS_FIXED { place } else { [0.0; 3] };
+        Self { center, standing: self.standing.with_translation(place), ..self }
+    }
+
+    /// The generators as passes take them.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> Rows<'a> {
+        self.laid_out.map_or(Rows::new(self.generators), |laid_out| Rows::laid_out(self.generators, laid_out))
+    }
+}
+
+/// A vector of space, to which alone poses apply.
+pub(crate) fn in_space<T, const D: usize, const E: usize>(v: [T; D]) -> [T; E] {
+    let mut coordinates = v.into_iter();
+    array::from_fn(|_| coordinates.next().expect("bodies under poses are bodies of space"))
+}
+
+/// A vector as one of space, the coordinates beyond D 0.
+#[inline]
+pub(crate) fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
+}
+
+impl<'a, const D: usize> From<&'a Zonotope<D>> for Placed<'a, D> {
+    #[inline]
+    fn from(body: &'a Zonotope<D>) -> Self {
+        Self::of_finite(body.center(), body.generators())
+    }
+}
+
+impl<'a> From<&'a Zonotope<3>> for Placed<'a, 3, Pose> {
+    #[inline]
+    fn from(body: &'a Zonotope<3>) -> Self {
+        body.at(&Pose::IDENTITY)
+    }
+}
+
+impl Zonotope<3> {
+    /// The body where a pose puts it, without a copy of its generators. O(1).
+    #[inline]
+    pub fn at(&self, pose: &Pose) -> Placed<'_, 3, Pose> {
+        let placed: Placed<'_> = self.into();
+        placed.at(pose)
+    }
+}
 
 /// Where is the exact vector from the centre of one placed body to that of another relative to the zonotope { Σ δ_i g_i
 /// : |δ_i| ≤ 1 } of the generators of both, each under the matrix of its body's pose? Every coordinate is finite.
@@ -75,8 +241,7 @@ impl<'a, const D: usize> Query<'a, D> {
     /// # Panics
     /// If there is no such generator.
     pub fn generator(&self, index: usize) -> [f64; D] {
-        let [first, second] = self.runs();
-        if index < first.len() { first[index] } else { second[index - first.len()] }
+        *self.located(index).1
     }
 }
 
@@ -98,6 +263,15 @@ impl<'a, const D: usize, P: Standing> Query<'a, D, P> {
     /// The bodies, the second one a point where membership is asked for.
     pub fn parts(&self) -> &[Placed<'a, D, P>; 2] {
         &self.parts
+    }
+
+    /// The body of a generator, and the generator as it is stored there.
+    pub(crate) fn located(&self, index: usize) -> (&Placed<'a, D, P>, &'a [f64; D]) {
+        let [first, second] = &self.parts;
+        match index.checked_sub(first.generators().len()) {
+            None => (first, &first.generators()[index]),
+            Some(index) => (second, &second.generators()[index]),
+        }
     }
 
     /// The same query, if E is the dimension in which it is asked. O(1).

@@ -50,13 +50,11 @@
 //! assert_eq!(by_lad::gauge(&query, &mut ()).value, 2.0);
 //! ```
 
-mod direction_plane;
 pub(super) mod early;
 mod facet;
-pub(super) mod ladder;
+mod ladder;
 mod scaled;
 
-pub use direction_plane::{DirectionPlane, direction_plane};
 pub use facet::Facet;
 
 #[cfg(test)]
@@ -64,9 +62,14 @@ pub(in crate::collision) mod tests;
 
 use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
-use crate::lad::of_generators::span::prism::{Prism, lowered, lowered_gauge};
+use crate::lad::of_generators::span::prism::Prism;
 use crate::tally::Tally;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
+
+/// Whether the kernel answers in a dimension.
+const fn is_answered(dimension: usize) -> bool {
+    1 <= dimension && dimension <= 4
+}
 
 /// The location of a displacement relative to the zonotope of its generators, with a proof whose coefficients are those
 /// of the generators as they are stored.
@@ -74,26 +77,14 @@ use crate::zonotope::placed::Standing;
 /// Under poses the proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M
 /// g_i|.
 pub fn locate<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Location<D> {
-    const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    if let Some(query) = query.at_rest() {
-        if let Some(query) = query.in_dimension::<4>() {
-            return lowered(by_lad_in_r4::locate(&query, &mut &mut *tally), query.len());
-        }
-        if let Some(scaled) = Scaled::of(&query) {
-            return locate(&scaled.query(), tally);
-        }
-        if D < 3 {
-            let prism = Prism::over(&query);
-            return prism.lower(ladder::from_optimum(&prism.query(), None, tally).counted(tally));
-        }
-    }
-    let query = query.in_dimension::<3>().expect("other dimensions were answered above");
-    lowered(ladder::locate(&query, tally), query.len())
+    const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
+    located(query, tally).expect("the kernel answers up to four dimensions")
 }
 
 /// The gauge of a displacement and where it lies.
 pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
-    measured(query, |facet, tally| facet.gauge(tally), tally)
+    const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
+    measured(query, tally).expect("the kernel answers up to four dimensions")
 }
 
 /// The gauge as answers of bodies have it: within four units in the last place, its proof with the doubles nearest to
@@ -101,30 +92,74 @@ pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut d
 ///
 /// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.
 pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
-    measured(query, |facet, tally| facet.nearest_gauge(tally), tally).with_nearest_basis(query)
+    const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
+    nearly_measured(query, tally).expect("the kernel answers up to four dimensions")
+}
+
+/// [`locate`] for callers of any dimension; `None` where the kernel does not answer.
+#[inline(never)]
+pub(crate) fn located<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
+    tally: &mut dyn Tally,
+) -> Option<Location<D>> {
+    let own = query.len();
+    if !is_answered(D) {
+        return None;
+    }
+    if let Some(query) = query.at_rest() {
+        if let Some(query) = query.in_dimension::<4>() {
+            return Some(by_lad_in_r4::locate(&query, &mut &mut *tally).lowered(own));
+        }
+        if let Some(scaled) = Scaled::of(&query) {
+            return located(&scaled.query(), tally);
+        }
+        if D < 3 {
+            let prism = Prism::over(&query);
+            return Some(ladder::from_optimum(&prism.query(), None, tally).counted(tally).lowered(own));
+        }
+    }
+    Some(ladder::locate(&query.in_dimension::<3>()?, tally).lowered(own))
+}
+
+/// [`gauge`] for callers of any dimension; `None` where the kernel does not answer.
+pub(crate) fn measured<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
+    tally: &mut dyn Tally,
+) -> Option<Gauge<D>> {
+    read_off(query, |facet, tally| facet.gauge(tally), tally)
+}
+
+/// [`nearest_gauge`] for callers of any dimension; `None` where the kernel does not answer.
+#[inline(never)]
+pub(crate) fn nearly_measured<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
+    tally: &mut dyn Tally,
+) -> Option<Gauge<D>> {
+    Some(read_off(query, |facet, tally| facet.nearest_gauge(tally), tally)?.with_nearest_basis(query))
 }
 
 /// The gauge of a displacement as a function reads it off the facet; one of R^4 as [`by_lad_in_r4`] has it.
-fn measured<const D: usize, P: Standing>(
+fn read_off<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
     of: fn(&Facet<'_>, &mut dyn Tally) -> Gauge<3>,
     tally: &mut dyn Tally,
-) -> Gauge<D> {
-    const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    let lower = |gauge| lowered_gauge(gauge, query.len());
+) -> Option<Gauge<D>> {
+    let own = query.len();
+    if !is_answered(D) {
+        return None;
+    }
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            return lowered_gauge(by_lad_in_r4::gauge(&query, &mut &mut *tally), query.len());
+            return Some(by_lad_in_r4::gauge(&query, &mut &mut *tally).lowered(own));
         }
         if let Some(scaled) = Scaled::of(&query) {
-            return measured(&scaled.query(), of, tally);
+            return read_off(&scaled.query(), of, tally);
         }
         if D < 3 {
-            return lower(of(&Facet::find(&Prism::over(&query).query(), tally), tally));
+            return Some(of(&Facet::find(&Prism::over(&query).query(), tally), tally).lowered(own));
         }
     }
-    let query = query.in_dimension::<3>().expect("other dimensions were answered above");
-    lower(of(&Facet::find(&query, tally), tally))
+    Some(of(&Facet::find(&query.in_dimension::<3>()?, tally), tally).lowered(own))
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)

@@ -5,7 +5,7 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
 use crate::numeric::scaling::scale_by_power_of_two;
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// How near two closed bodies are, or a point and a body.

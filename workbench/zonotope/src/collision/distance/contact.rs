@@ -13,7 +13,7 @@ use crate::lad::of_generators::{ladder, solve};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, Span, dot, solve as solve_exactly};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Where two bodies meet.

@@ -7,7 +7,6 @@ use thiserror::Error;
 #[cfg(feature = "linear-programming")]
 use crate::collision::by_linear_program;
 use crate::collision::{Gauge, Location, Query, brute_force, by_explicit_faces, by_lad, by_slope_selection};
-use crate::lad::of_generators::span::prism::{lowered, lowered_gauge};
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
 use crate::tables::methods;
@@ -56,12 +55,12 @@ pub enum MethodError {
 
 /// The answer of a function of some dimensions, if that of the query is one of them.
 macro_rules! in_dimensions {
-    ([$($dimension:literal)+], $query:ident, $lowered:ident, $answer:expr) => {
+    ([$($dimension:literal)+], $query:ident, $answer:expr) => {
         match D {
             $($dimension => match $query.in_dimension::<$dimension>() {
                 Some($query) => {
                     let $query = &$query;
-                    Some($lowered($answer, $query.len()))
+                    Some($answer.lowered($query.len()))
                 }
                 None => None,
             },)+
@@ -116,9 +115,9 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Option<Location<D>>, MethodError> {
         let located = match self {
-            Self::ByLad => in_dimensions!([1 2 3 4], question, lowered, by_lad::locate(question, tally)),
+            Self::ByLad => by_lad::located(question, tally),
             Self::BySlopeSelection => {
-                in_dimensions!([1 2 3], question, lowered, by_slope_selection::locate(question, seed, &mut &mut *tally))
+                in_dimensions!([1 2 3], question, by_slope_selection::locate(question, seed, &mut &mut *tally))
             }
             Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
             #[cfg(feature = "linear-programming")]
@@ -140,10 +139,10 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
-            Self::ByLad => in_dimensions!([1 2 3 4], question, lowered_gauge, by_lad::gauge(question, tally)),
+            Self::ByLad => by_lad::measured(question, tally),
             Self::ByExplicitFaces => {
                 let counted = &mut &mut *tally;
-                in_dimensions!([1 2 3], question, lowered_gauge, by_explicit_faces::gauge(question, counted)?)
+                in_dimensions!([1 2 3], question, by_explicit_faces::gauge(question, counted)?)
             }
             Self::BruteForce => Some(brute_force::gauge(question)),
             _ => return Err(MethodError::NoGauge(self)),
@@ -160,7 +159,7 @@ impl Method {
     #[inline(never)]
     pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
         let by_kernel = match self {
-            Self::ByLad => in_dimensions!([1 2 3], question, lowered_gauge, by_lad::nearest_gauge(question, &mut ())),
+            Self::ByLad => by_lad::nearly_measured(question, &mut ()),
             _ => None,
         };
         match by_kernel {

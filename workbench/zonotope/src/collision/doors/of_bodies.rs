@@ -1,9 +1,10 @@
-//! Questions about a body: methods of [`Zonotope`] that put the question to the default method of its dimension.
+//! Questions about a body: methods of [`Zonotope`] that put the question to the kernel, above four dimensions to brute
+//! force.
 //!
 //! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
 //! himself and hands it to a [`Method`].
 
-use crate::collision::{Method, Query};
+use crate::collision::{Method, Query, by_lad};
 use crate::numeric::non_finite::NonFinite;
 use crate::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
@@ -39,8 +40,9 @@ impl<const D: usize> Zonotope<D> {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D>, NonFinite> {
         let query = Query::of_point(point, self)?;
-        let gauge = Method::default_in(D).nearest_gauge(&query);
-        Ok(gauge.expect("the default method of a dimension measures there"))
+        let gauge =
+            by_lad::nearly_measured(&query, &mut ()).map_or_else(|| Method::BruteForce.nearest_gauge(&query), Ok);
+        Ok(gauge.expect("brute force measures every displacement"))
     }
 
     /// Whether two closed bodies have a point in common, exactly; bodies that touch do. The cost is that of
@@ -60,8 +62,8 @@ impl<const D: usize> Zonotope<D> {
 
 #[inline]
 fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
-    match Method::default_in(D).locate(query, DEFAULT_SEED, &mut ()) {
-        Ok(Some(location)) => location,
-        _ => unreachable!("the default method of a dimension works there and locates every displacement"),
-    }
+    by_lad::located(query, &mut ()).unwrap_or_else(|| {
+        let location = Method::BruteForce.locate(query, DEFAULT_SEED, &mut ());
+        location.ok().flatten().expect("brute force locates every displacement")
+    })
 }

@@ -6,9 +6,9 @@ use crate::collision::distance::penetration::{Penetration, by_inner_polytope};
 use crate::collision::distance::{Proximity, by_support_simplex};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::location::{Gauge, Location};
-use crate::zonotope::placed::{Placed, Standing};
+use crate::zonotope::pose::Standing;
 use crate::zonotope::prepared::PreparedBody;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Placed, Query};
 
 impl<'a, P: Standing> Placed<'a, 3, P> {
     /// Whether a point lies in the closed body, exactly. O(n) expected.

@@ -11,8 +11,7 @@ use crate::collision::prepared::choice::Kind;
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 use crate::zonotope::location::{Gauge, Location};
-use crate::zonotope::placed::Placed;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Placed, Query};
 
 /// The most bytes that a structure may hold. A body that takes more itself stays as it is.
 const BYTES_LIMIT: u64 = 1 << 34;

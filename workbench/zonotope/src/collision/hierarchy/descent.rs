@@ -71,8 +71,7 @@ use super::levels::Hierarchy;
 use crate::collision::{Location, Query, Separation, Status, Witness, by_lad};
 use crate::tally::{Reads, Tally};
 use crate::zonotope::PreparedBody;
-use crate::zonotope::placed::{AtRest, Standing};
-use crate::zonotope::pose::Pose;
+use crate::zonotope::pose::{AtRest, Pose, Standing};
 
 /// A body goes down beside the other one unless its excess is less than this part of the other's: about the ratio of
 /// the excesses of one level and the next.

@@ -8,7 +8,7 @@
 //! | [`separation`] | a direction in doubles with room for its rounding, or an exact one |
 //! | [`direction_of_doubles`] | doubles near the normal of a facet that separate as the normal does |
 //! | [`tightest_facet`] | the facet that bounds a gauge, found by trying every normal |
-//! | [`vectors`] | the generators in doubles, with bounds of their rounding |
+//! | [`vectors`] | the generators in doubles, with bounds of their rounding and of their sums'; the coefficients of three of them |
 //! | [`to_doubles`] | rational coefficients, of which all but those of a basis become doubles |
 
 pub(crate) mod at_vertex;

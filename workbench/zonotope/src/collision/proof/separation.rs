@@ -2,7 +2,6 @@
 //! an exact direction.
 
 use crate::collision::Separation;
-use crate::collision::answer::Proof;
 use crate::collision::proof::direction_of_doubles::Beyond;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -11,6 +10,7 @@ use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, negated};
 use crate::tally::Rung;
+use crate::zonotope::location::Proof;
 
 /// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2
 /// |v|.

@@ -1,12 +1,18 @@
-//! The generators of a query in doubles, with what the proofs in doubles need to know of their rounding.
+//! The generators of a query in doubles, with what the proofs in doubles need to know of their rounding and of that of
+//! their sums, and the coefficients of three of them that make up for what all others leave. Bounds are in terms of
+//! coordinates.
 //!
 //! A generator M v is off by less than 4 u |M| |v| in each coordinate, so that vector bounds its rounding and, in the
 //! place of |v|, the terms of every product with it. At rest both are exact.
 
-use crate::lad::of_generators::seam::generators::{Part, generator_of};
+use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::numeric::bounded::BoundedVector;
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
+use crate::numeric::linear::{cyclic_cross_products, dot};
+use crate::numeric::tolerance::{
+    CUBABLE_SIZES, DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS, LONG_SUM, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT,
+};
 
 /// The generators of a query, in the order of their indices.
 pub(crate) struct Vectors<'a> {
@@ -43,36 +49,100 @@ impl<'a> Vectors<'a> {
     /// A generator by its index.
     #[inline(always)]
     pub(crate) fn value(&self, index: usize) -> [f64; 3] {
-        generator_of(&self.parts, index)
+        of_row(&self.parts, index, Part::image)
     }
 
     /// A generator by its index, with its size.
     #[inline(always)]
     pub(crate) fn vector(&self, index: usize) -> Vector {
-        let [first, second] = &self.parts;
-        match index.checked_sub(first.rows.len()) {
-            None => Self::of_row(first, &first.rows.list()[index]),
-            Some(index) => Self::of_row(second, &second.rows.list()[index]),
-        }
+        of_row(&self.parts, index, Vector::of)
     }
 
     /// A generator to twice the digits of a double.
     #[inline]
     pub(crate) fn pairs(&self, index: usize) -> [BoundedDoubleDouble; 3] {
-        let [first, second] = &self.parts;
-        let of =
-            |part: &Part<'_>, index: usize| part.pair_image(&part.rows.list()[index].map(BoundedDoubleDouble::exact));
-        index.checked_sub(first.rows.len()).map_or_else(|| of(first, index), |index| of(second, index))
+        of_row(&self.parts, index, Part::image_in_pairs)
     }
 
     /// All generators with their sizes.
     #[inline(always)]
     pub(crate) fn iter(&self) -> impl Iterator<Item = Vector> {
-        self.parts.iter().flat_map(|part| part.rows.list().iter().map(move |v| Self::of_row(part, v)))
+        self.parts.iter().flat_map(|part| part.rows.list().iter().map(move |v| Vector::of(part, v)))
     }
 
+    /// The coefficients with which three generators make up a rest whose coordinates are off by at most `errors`: those
+    /// that are certainly within (−1, 1). `None` if the three may be dependent.
+    #[inline]
+    pub(crate) fn coefficients(
+        &self,
+        basis: [usize; 3],
+        rest: &[f64; 3],
+        errors: &[f64; 3],
+    ) -> Option<[Option<f64>; 3]> {
+        let [a, b, c] = &basis.map(|i| self.vector(i));
+        let normals = cyclic_cross_products(&a.value, &b.value, &c.value);
+        let areas = [cross_terms(b, c), cross_terms(c, a), cross_terms(a, b)];
+        let determinant = dot(&c.value, &normals[2]);
+        let least = determinant.abs() - self.determinant_error * dot(&c.size, &areas[2]) - PRODUCT_UNDERFLOW;
+        // false for NaN as well
+        let is_spanning = least > CUBABLE_SIZES.start * CUBABLE_SIZES.start * CUBABLE_SIZES.start;
+        if !is_spanning {
+            return None;
+        }
+        // each term of the product of the rest with a normal goes through seven roundings, and images bring eight more
+        let off = [0, 1, 2].map(|k| errors[k] + 16.0 * UNIT * rest[k].abs());
+        let coefficient = |k: usize| {
+            let numerator = dot(rest, &normals[k]);
+            let error = dot(&off, &areas[k]) * LONG_SUM + PRODUCT_UNDERFLOW;
+            let is_within = (numerator.abs() + error) * THIRTY_ROUNDINGS < least;
+            is_within.then_some(numerator / determinant)
+        };
+        Some([coefficient(0), coefficient(1), coefficient(2)])
+    }
+}
+
+impl Vector {
     #[inline(always)]
-    fn of_row(part: &Part<'_>, v: &[f64; 3]) -> Vector {
-        Vector { value: part.image(v), size: part.image_of_sizes(&v.map(f64::abs)) }
+    fn of(part: &Part<'_>, v: &[f64; 3]) -> Self {
+        Self { value: part.image(v), size: part.image_of_sizes(&v.map(f64::abs)) }
+    }
+}
+
+/// A sum less a multiple of a vector.
+#[inline]
+pub(crate) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
+    [sum[0] - factor * v[0], sum[1] - factor * v[1], sum[2] - factor * v[2]]
+}
+
+/// The sums of the magnitudes of the terms of a cross product, with room for what underflows.
+#[inline]
+pub(crate) fn cross_terms(Vector { size: a, .. }: &Vector, Vector { size: b, .. }: &Vector) -> [f64; 3] {
+    let terms = |i: usize, j: usize| a[i] * b[j] + a[j] * b[i] + PRODUCT_UNDERFLOW;
+    [terms(1, 2), terms(2, 0), terms(0, 1)]
+}
+
+/// The first place of the largest value, if one is positive.
+#[inline]
+pub(crate) fn first_of_largest(values: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
+    let (largest, place) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
+    (largest > 0.0).then_some(place)
+}
+
+/// The error in doubles of a sum of generators with coefficients in [−1, 1] that is taken from p.
+pub(crate) struct SumErrors<'a> {
+    pub(crate) p: &'a BoundedVector,
+    /// Σ |v| + |p|, coordinate by coordinate.
+    pub(crate) sizes: [f64; 3],
+    /// The number of generators.
+    pub(crate) count: usize,
+}
+
+impl SumErrors<'_> {
+    /// The bound for each coordinate of a sum of the pass from which so many generators, beside a few, were taken off
+    /// one by one, or to which they were put back: each of these is one more addition for every term before it.
+    pub(crate) fn after(&self, additions: usize) -> [f64; 3] {
+        let roundings = UNIT * (self.count / 2 + 32 + additions) as f64;
+        let lost = (self.count + additions) as f64 * PRODUCT_UNDERFLOW;
+        [0, 1, 2].map(|k| (self.p[k].error + roundings * self.sizes[k]) * LONG_SUM + lost)
     }
 }

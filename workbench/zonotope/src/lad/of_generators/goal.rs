@@ -13,7 +13,7 @@ pub(crate) type AtVertex<'a> = &'a dyn Fn(&dyn KernelQuery, &BoundedVector, [usi
 /// The goal of a caller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Goal {
-    /// The gauge, to the accuracy that [`compare`](super::certify::gauge_interval::compare) asks for.
+    /// The gauge, to the accuracy that [`compare`](super::certify::rounded_optimum::compare) asks for.
     Gauge,
     /// Only whether the gauge is below, at or above 1: a separating direction ends the search.
     Location,

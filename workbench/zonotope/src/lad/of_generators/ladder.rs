@@ -29,8 +29,7 @@
 
 use super::cells::nested::NestedCells;
 use super::cells::reduced::{Reduced, USUAL_LEVELS};
-use super::certify::gauge_interval::DecidedOptimum;
-use super::certify::rounded_optimum::RoundedOptimum;
+use super::certify::rounded_optimum::{DecidedOptimum, RoundedOptimum};
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
 use super::goal::{AtVertex, Goal};
@@ -38,7 +37,7 @@ use super::guess::aim::Aim;
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
-use super::plane::guess::Guess;
+use super::plane::in_doubles::Guess;
 use super::problem::Problem;
 use super::seam::kernel_query::KernelQuery;
 use super::search::Searched;
@@ -49,7 +48,6 @@ use super::search::cutting_planes::cutting_planes;
 use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
-use super::support::separates;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
@@ -279,7 +277,7 @@ impl Climb<'_, '_> {
             || bounded_sum(Rows::new(&sample.vectors), &direction).value < sample.part_of(query) * (1.0 - error);
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
-            if separates(query, &self.problem.p, &direction) {
+            if query.separates(&self.problem.p, &direction) {
                 return Ok(Optimum::Separated(direction));
             }
         }

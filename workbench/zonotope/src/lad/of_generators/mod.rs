@@ -40,11 +40,11 @@
 //! | [`exact`] | an exact optimum | an answer | never |
 //! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
-//! Beside the stages: [`seam`] has what the kernel asks of whoever holds the generators, under a pose or not;
-//! [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms
-//! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] what comes
-//! out; [`nearest_gauge`] has the last digits of the gauge. The kernel knows no location: a caller that wants one hands
-//! a function down ([`goal::AtVertex`]), which sees the vertices of a search and may end it.
+//! Beside the stages: [`seam`] has what the kernel asks of whoever holds the generators, under a pose or not; [`plane`]
+//! has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms that do;
+//! [`problem`] and [`goal`] are what goes in, [`optimum`] what comes out; [`nearest_gauge`] has the last digits of the
+//! gauge. The kernel knows no location: a caller that wants one hands a function down ([`goal::AtVertex`]), which sees
+//! the vertices of a search and may end it.
 
 pub(crate) mod cells;
 pub(crate) mod certify;
@@ -59,7 +59,6 @@ pub(crate) mod problem;
 pub(crate) mod seam;
 pub(crate) mod search;
 pub(crate) mod span;
-pub(crate) mod support;
 
 use self::goal::{AtVertex, Goal};
 use self::optimum::Optimum;

@@ -8,12 +8,12 @@
 //! sum, at most ε beyond ±1, the gauge is at most 1 + ε s times as large, where s bounds the gauge of these generators.
 //! The middle of that interval is returned. Where the interval is wide, exact arithmetic answers.
 
-use super::certify::gauge_interval::DecidedOptimum;
+use super::certify::rounded_optimum::DecidedOptimum;
 use super::certify::unit_gauge_bound::unit_gauge_bound;
 use super::exact::solve::exact_gauge;
 use super::ladder::exact_of;
 use super::optimum::Optimum;
-use super::seam::generators::Part;
+use super::seam::generators::{Part, of_row};
 use super::seam::kernel_query::KernelQuery;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -51,7 +51,7 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
 /// The gauge from the direction in pairs of doubles. One pass, and a second one where the vertex is not certain.
 fn along_pairs(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Option<(f64, f64)> {
     let optimum = &decided.optimum;
-    let pair = optimum.basis.map(|index| generator_in_pairs(query, index));
+    let pair = optimum.basis.map(|index| of_row(&query.parts(), index, Part::image_in_pairs));
     let normal = cross(&pair[0], &pair[1]);
     let direction = if optimum.reversed { normal.map(BoundedDoubleDouble::negated) } else { normal };
     let p = query.displacement_pairs();
@@ -177,13 +177,6 @@ fn signed_sum(query: &dyn KernelQuery, decided: &DecidedOptimum) -> PairVector {
 
 fn in_pairs(v: &ExactVector) -> PairVector {
     v.each_ref().map(BoundedDoubleDouble::of)
-}
-
-/// A generator to twice the digits of a double.
-fn generator_in_pairs(query: &dyn KernelQuery, index: usize) -> PairVector {
-    let [first, second] = query.parts();
-    let (part, place) = index.checked_sub(first.rows.len()).map_or((first, index), |place| (second, place));
-    part.pair_image(&part.rows.list()[place].map(BoundedDoubleDouble::exact))
 }
 
 /// h(u) to twice the digits of a double, of a direction that is given as each part takes it.

@@ -1,7 +1,7 @@
 //! The answer of the kernel: the facet in which the ray along the displacement leaves the body, in the form in which
 //! the facet was proved.
 
-use super::certify::gauge_interval::DecidedOptimum;
+use super::certify::rounded_optimum::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
 use super::span::prism::Prism;
 

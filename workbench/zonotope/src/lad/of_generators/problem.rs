@@ -1,9 +1,8 @@
 //! The kernel's problem for one query: minimise h(u) = Σ |v_i · u| over the plane of directions u with u · p = 1.
 
-use super::certify::gauge_interval::compare;
-use super::certify::rounded_optimum::RoundedOptimum;
+use super::certify::rounded_optimum::{RoundedOptimum, compare};
 use super::goal::{AtVertex, Goal};
-use super::plane::rounded_chart::RoundedChart;
+use super::plane::in_doubles::RoundedChart;
 use super::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 

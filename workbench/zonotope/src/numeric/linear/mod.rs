@@ -17,9 +17,11 @@ mod minors;
 mod norms;
 mod products;
 mod ring;
+mod symmetric;
 
 pub(crate) use inverse::{inverse, invert};
 pub(crate) use minors::{determinant, hyperplane_normal};
 pub(crate) use norms::{euclidean_norm, max_norm, norm_of_any_size, sum_norm};
 pub(crate) use products::{add_multiple, cross, cyclic_cross_products, dot, sum_of_products};
 pub(crate) use ring::{Ring, ring_of_values};
+pub(crate) use symmetric::SymmetricMatrix;

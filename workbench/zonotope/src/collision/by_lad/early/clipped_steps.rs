@@ -5,13 +5,12 @@ use super::INSIDE_GAUGE;
 use super::combination::Combination;
 use super::huber_dual::{Among, Lengths, Moments};
 use crate::collision::Witness;
-use crate::collision::answer::Proof;
 use crate::lad::of_generators::seam::generators::Generators;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
-use crate::lad::of_generators::support;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 
 /// A step goes too far if it ends with a slope of more than this part of the slope at its start.
 const OVERSHOOT: f64 = 0.3;
@@ -82,7 +81,7 @@ impl State {
         self.y
     }
 
-    /// The multiple of p that the steps aim at, half the way from p to the boundary: its coefficients times μ < 1 make
+    /// The multiple of p that the steps aim at, half the way from p to the boundary: its coefficients times f < 1 make
     /// up p and stay away from ±1.
     fn aim(&self) -> f64 {
         (1.0 + 1.0 / self.gauge) / 2.0
@@ -151,7 +150,7 @@ impl State {
 /// Whether a direction separates. One pass.
 pub(super) fn separates(query: &impl KernelQuery, p: &BoundedVector, y: &[f64; 3], tally: &mut dyn Tally) -> bool {
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    support::separates(query, p, y)
+    query.separates(p, y)
 }
 
 /// The proof of a member by a combination. One pass.

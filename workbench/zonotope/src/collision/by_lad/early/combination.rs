@@ -28,15 +28,15 @@ const BLOCK: usize = 512;
 /// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
 const CLEARED_WHEN_TAKEN: usize = 1 << 14;
 
-/// Coefficients as functions of the generators: that of v is clip(v · y / |v|) times the factor μ, and v · z / |v| more
+/// Coefficients as functions of the generators: that of v is clip(v · y / l) times the factor f, and v · z / l more
 /// where nothing was clipped; the header of `huber_dual` says why these combine to a point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Combination {
     y: [f64; 3],
     z: [f64; 3],
-    /// μ; with 0 the coefficients are products with z alone.
+    /// f; with 0 the coefficients are products with z alone.
     factor: f64,
-    /// The lengths |v| by which products are divided.
+    /// The lengths l by which products are divided.
     lengths: Lengths,
     /// The bound to which coefficients are clipped in the end.
     limit: f64,
@@ -59,7 +59,7 @@ impl Stretches {
 pub(crate) struct Written {
     /// Σ c v.
     pub(crate) sum: [f64; 3],
-    /// At least Σ |v|.
+    /// At least Σ |v|_∞.
     pub(crate) magnitude: f64,
     pub(crate) count: usize,
 }
@@ -111,7 +111,7 @@ impl Moments {
         if !(factor > 0.0 && factor < WELL_WITHIN) {
             return None;
         }
-        let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
+        let z = self.hessian.solve_regular(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
         let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
         (lengths.largest(among, generators, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }
@@ -144,7 +144,7 @@ impl Combination {
         Self { limit, ..Self::linear(*z, lengths) }
     }
 
-    /// Nearly the same coefficients with one product for each: those of μ y + z, clipped to μ.
+    /// Nearly the same coefficients with one product for each: those of f y + z, clipped to f.
     pub(crate) fn merged(&self) -> Self {
         if self.factor == 0.0 {
             return *self;
@@ -332,7 +332,7 @@ fn additions(count: usize) -> usize {
 
 /// A bound of the distance of p from the exact sum of `count` generators with coefficients of at most 1, whose
 /// computed sum is `sum`: each term is rounded, and each of the `additions` that a term goes through. `magnitude` is
-/// at least Σ |v|.
+/// at least Σ |v|_∞.
 #[inline]
 pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitude: f64, count: usize) -> f64 {
     let off = |k: usize| (p[k].value - sum[k]).abs() + p[k].error;

@@ -1,11 +1,11 @@
 //! Coefficients that make up a point well within the body: those of least size, with the largest ones clipped.
 //!
-//! Let |v| be the largest magnitude of a coordinate of v, t_i = v_i · y / |v_i|, and b_i the t_i clipped to [−1, 1].
-//! The y with Σ b_i v_i = q minimises a convex function, Σ |v_i| huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ
-//! / |v_i| over the generators that are not clipped. Such a y exists just if q is in the body; else y goes to
-//! infinity where a direction separates. From any y, with s = Σ b_i v_i, the coefficients μ b_i, and v_i · z / |v_i|
-//! more where nothing was clipped, combine to p = μ s + H z, and none is larger than μ + |z|_1. Where lengths are
-//! even, the longest length takes the place of all, which spares a division for each generator.
+//! Let l_i = |v_i|_∞, the largest magnitude of a coordinate, t_i = v_i · y / l_i, and b_i the t_i clipped to [−1, 1].
+//! The y with Σ b_i v_i = q minimises a convex function, Σ l_i huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ /
+//! l_i over the generators that are not clipped. Such a y exists just if q is in the body; else y goes to infinity
+//! where a direction separates. From any y, with s = Σ b_i v_i, the coefficients f b_i, and v_i · z / l_i more where
+//! nothing was clipped, combine to p = f s + H z, and none is larger than f + |z|_1. Where lengths are even, the
+//! longest length takes the place of all, which spares a division for each generator.
 //!
 //! All this only finds coefficients (`combination` writes and proves them).
 
@@ -19,13 +19,10 @@ use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::rows::{Runs, count_of};
-use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
+use crate::numeric::linear::{SymmetricMatrix, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
-
-/// The addition to the diagonal of a matrix, in terms of its trace, so that flat bodies have an inverse as well.
-const DIAGONAL_SHIFT: f64 = 4e-15;
 
 /// The factor by which the coefficients of all generators are taken to exceed those of some.
 pub(crate) const SAMPLE_MARGIN: f64 = 1.15;
@@ -36,14 +33,11 @@ pub(crate) const ROUGH_EXCESS: f64 = 0.3;
 /// Lengths are even if the longest is no longer than this, in terms of the mean.
 const EVEN_LENGTHS: f64 = 4.0;
 
-/// With a determinant below this, in terms of the trace, a body may be flat.
-const THICK_DETERMINANT: f64 = 4e-15;
-
 /// Sums over generators at some y.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moments {
-    /// H: xx, xy, xz, yy, yz, zz.
-    hessian: [f64; 6],
+    /// H.
+    pub(crate) hessian: SymmetricMatrix,
     /// s.
     pub(crate) sum: [f64; 3],
     /// Σ |v · y|.
@@ -69,7 +63,7 @@ impl Lengths {
         if longest * count_of(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
-    /// An upper bound of (v · z) / |v|: for any v, or for even generators by those of some, with room for others.
+    /// An upper bound of (v · z) / l: for any v, or for even generators by those of some, with room for others.
     #[inline(always)]
     pub(crate) fn largest(self, among: Among<'_>, generators: &impl Generators, z: &[f64; 3]) -> f64 {
         match among {
@@ -206,47 +200,21 @@ fn moments<S: Simd, const OWN: bool>(simd: S, (runs, share): (Runs<'_>, usize), 
 }
 
 #[inline(always)]
-fn divided([xx, xy, xz, yy, yz, zz]: [f64; 6], length: f64) -> [f64; 6] {
-    [xx / length, xy / length, xz / length, yy / length, yz / length, zz / length]
+fn divided([xx, xy, xz, yy, yz, zz]: [f64; 6], length: f64) -> SymmetricMatrix {
+    SymmetricMatrix([xx / length, xy / length, xz / length, yy / length, yz / length, zz / length])
+}
+
+/// Σ v vᵀ / l, which is H at y = 0, where no coefficient is clipped.
+#[inline(always)]
+pub(crate) fn hessian_at_zero(generators: &impl Generators, lengths: Lengths) -> SymmetricMatrix {
+    generators.over([], |runs, _, []| match lengths {
+        Lengths::Own => SymmetricMatrix(squares::<true>(runs)),
+        Lengths::Even(length) => divided(squares::<false>(runs), length),
+    })
 }
 
 impl Moments {
-    /// Σ v vᵀ / |v|, and nothing else.
-    #[inline(always)]
-    pub(crate) fn at_zero(generators: &impl Generators, lengths: Lengths) -> Self {
-        generators.over([], |runs, _, []| {
-            Self::of_squares(match lengths {
-                Lengths::Own => squares::<true>(runs),
-                Lengths::Even(length) => divided(squares::<false>(runs), length),
-            })
-        })
-    }
-
-    /// The sums at y = 0, where no coefficient is clipped, from Σ v vᵀ / |v| or Σ v vᵀ.
-    #[inline(always)]
-    pub(crate) fn of_squares(hessian: [f64; 6]) -> Self {
-        Self { hessian, sum: [0.0; 3], reach: 0.0 }
-    }
-
-    /// The sums with one more generator, at right angles to all others, where these are in a plane with the normal n.
-    pub(crate) fn with_normal(&self, [x, y, z]: &[f64; 3]) -> Self {
-        let size = self.trace();
-        let square = [x * x, x * y, x * z, y * y, y * z, z * z];
-        let hessian = [0, 1, 2, 3, 4, 5].map(|i| self.hessian[i] + size * square[i]);
-        Self { hessian, ..*self }
-    }
-
-    /// The sums over the images of rows, of sums at y = 0.
-    #[inline(always)]
-    pub(crate) fn carried_at_zero(&self, frame: &Frame<'_>) -> Self {
-        Self { hessian: frame.congruent(&self.hessian), ..*self }
-    }
-
-    /// The trace of H.
-    pub(crate) fn trace(&self) -> f64 {
-        self.hessian[0] + self.hessian[3] + self.hessian[5]
-    }
-
+    /// The sums at some y.
     #[inline(always)]
     pub(crate) fn at<G: Generators>(generators: &G, lengths: Lengths, y: &[f64; 3]) -> Self {
         generators.over([y], |runs, _, [y]| {
@@ -258,37 +226,6 @@ impl Moments {
         })
     }
 
-    /// H^{-1} r, if H is certainly not singular.
-    #[inline(always)]
-    pub(crate) fn solve_thick(&self, r: &[f64; 3]) -> Option<[f64; 3]> {
-        let [xx, xy, xz, yy, yz, zz] = self.hessian;
-        let trace = xx + yy + zz;
-        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
-        let determinant = dot(&rows[0], &minors[0]);
-        let inverse = 1.0 / determinant;
-        let is_thick = determinant > THICK_DETERMINANT * trace * trace * trace;
-        // written out: calls for each entry show in the time of a question about a box
-        let [a, b, c] = &minors;
-        is_thick.then(|| [dot(a, r) * inverse, dot(b, r) * inverse, dot(c, r) * inverse])
-    }
-
-    /// H^{-1} r, and whether H is certainly not singular.
-    pub(crate) fn solve(&self, r: &[f64; 3]) -> ([f64; 3], bool) {
-        let [xx, xy, xz, yy, yz, zz] = self.hessian;
-        let trace = xx + yy + zz;
-        let more = DIAGONAL_SHIFT * trace;
-        let rows = [[xx + more, xy, xz], [xy, yy + more, yz], [xz, yz, zz + more]];
-        let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
-        let determinant = dot(&rows[0], &minors[0]);
-        let inverse = 1.0 / determinant;
-        let solve = |r: &[f64; 3]| minors.map(|row| dot(&row, r) * inverse);
-        let first = solve(r);
-        // what was added to the diagonal is taken back
-        let second = solve(&first.map(|c| more * c));
-        ([0, 1, 2].map(|k| first[k] + second[k]), determinant > THICK_DETERMINANT * trace * trace * trace)
-    }
-
     /// The slope of the smooth problem along a step.
     pub(crate) fn slope(&self, step: &[f64; 3], target: &[f64; 3]) -> f64 {
         dot(&self.sum, step) - dot(target, step)
@@ -296,7 +233,19 @@ impl Moments {
 
     /// The Newton step towards a target.
     pub(crate) fn step(&self, target: &[f64; 3]) -> [f64; 3] {
-        self.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
+        self.hessian.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
+    }
+}
+
+impl Carried for SymmetricMatrix {
+    #[inline]
+    fn carried(self, frame: &Frame<'_>) -> Self {
+        frame.congruent(&self)
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        self.plus(&other)
     }
 }
 
@@ -309,7 +258,7 @@ impl Carried for Moments {
     #[inline]
     fn joined(self, other: Self) -> Self {
         Self {
-            hessian: [0, 1, 2, 3, 4, 5].map(|i| self.hessian[i] + other.hessian[i]),
+            hessian: self.hessian.plus(&other.hessian),
             sum: [0, 1, 2].map(|k| self.sum[k] + other.sum[k]),
             reach: self.reach + other.reach,
         }

@@ -8,15 +8,15 @@
 
 use super::clipped_steps::{Effort, State, StepsEnd, inside, separates};
 use super::combination::{Combination, Stretches};
-use super::huber_dual::{Among, Lengths, Moments, SAMPLE_MARGIN, WELL_WITHIN};
+use super::huber_dual::{Among, Lengths, SAMPLE_MARGIN, WELL_WITHIN, hessian_at_zero};
 use super::scaled_products::ScaledProducts;
 use super::{INSIDE_GAUGE, OUTSIDE_DEVIATIONS, OUTSIDE_GAUGE, locate_by_sample};
-use crate::collision::answer::Proof;
 use crate::lad::of_generators::seam::generators::{Generators, Part};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::octet::LANES;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
 
 /// Of more generators than this, coefficients are steered by a sample: that takes one pass over memory and not one and
 /// a half.
@@ -40,7 +40,7 @@ pub(super) fn are_known(query: &impl KernelQuery) -> bool {
 
 /// The status of p with its proof, if p is far from the boundary.
 pub(super) fn locate(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
-    let (y, is_thick) = Moments::at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
+    let (y, is_thick) = hessian_at_zero(query, LENGTHS).solve(&p.map(|c| c.value));
     if !is_thick {
         return locate_by_sample(query, p, tally);
     }

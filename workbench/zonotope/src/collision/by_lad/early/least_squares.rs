@@ -1,16 +1,15 @@
 //! Small bodies by one solve: the coefficients of least size that make up p, or a direction that separates.
 //!
-//! With M = Σ v vᵀ and w = M^{-1} p, the coefficients v · w combine to p. So do the coefficients v · y / |v|, which
-//! are of more even size, where |v| is the largest magnitude of a coordinate, H = Σ v vᵀ / |v| and y = H^{-1} p. If
-//! all are well within (−1, 1), p is inside. If not, w may separate: Σ |v · w| is summed up as the coefficients are
-//! written. In both cases the traces of the matrices bound Σ |v|, and so all rounding errors.
+//! With H = Σ v vᵀ and y = H^{-1} p, the coefficients v · y combine to p. So do the coefficients v · y / |v|_∞, which
+//! are of more even size, with H = Σ v vᵀ / |v|_∞. If all are well within (−1, 1), p is inside. If not, y may separate:
+//! Σ |v · y| is summed up as the coefficients are written. In both cases the trace of H bounds Σ |v|_∞, and so all
+//! rounding errors.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
-use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::rest;
 use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
-use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
+use crate::collision::by_lad::early::huber_dual::WELL_WITHIN;
 use crate::collision::by_lad::early::{INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::seam::frame::Frame;
@@ -23,10 +22,11 @@ use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
 use crate::numeric::lanes::rows::{Runs, count_of};
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{SymmetricMatrix, dot};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 use crate::tally::Rung;
+use crate::zonotope::location::Proof;
 
 /// The number of octets of generators by which the largest coefficient is estimated.
 const SAMPLE: usize = 4;
@@ -156,30 +156,30 @@ impl Carried for (Sums, usize) {
     }
 }
 
-/// Sums over generators, and at least Σ |v|.
+/// Sums over generators, and at least Σ |v|_∞.
 struct Weighted {
-    moments: Moments,
+    squares: SymmetricMatrix,
     magnitude: f64,
 }
 
 impl Weighted {
     #[inline(always)]
     fn of<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>) -> Self {
-        let moments = Moments::of_squares(squares_at::<_, OWN>(simd, runs));
-        let magnitude = magnitude::<OWN>(&moments, runs[0].len() + runs[1].len());
-        Self { moments, magnitude }
+        let squares = SymmetricMatrix(squares_at::<_, OWN>(simd, runs));
+        let magnitude = magnitude::<OWN>(&squares, runs[0].len() + runs[1].len());
+        Self { squares, magnitude }
     }
 }
 
 impl Carried for Weighted {
     #[inline]
     fn carried(self, frame: &Frame<'_>) -> Self {
-        Self { moments: self.moments.carried_at_zero(frame), magnitude: frame.carried_magnitude(self.magnitude) }
+        Self { squares: frame.congruent(&self.squares), magnitude: frame.carried_magnitude(self.magnitude) }
     }
 
     #[inline]
     fn joined(self, other: Self) -> Self {
-        Self { moments: self.moments.joined(other.moments), magnitude: self.magnitude + other.magnitude }
+        Self { squares: self.squares.plus(&other.squares), magnitude: self.magnitude + other.magnitude }
     }
 }
 
@@ -204,16 +204,16 @@ fn level_for(count: usize) -> Level {
 #[inline(always)]
 fn of_least_at<S: Simd, const OWN: bool>(simd: S, query: &impl KernelQuery, p: &BoundedVector) -> Result<Proof, Open> {
     let n = query.len();
-    let Weighted { moments, magnitude } = query.over(
+    let Weighted { squares, magnitude } = query.over(
         [],
         #[inline(always)]
         |runs, _, []| Weighted::of::<_, OWN>(simd, runs),
     );
     let own = [p[0].value, p[1].value, p[2].value];
-    let thick = moments.solve_thick(&own);
+    let thick = squares.solve_regular(&own);
     let is_thick = thick.is_some();
     // a flat body has a direction, too
-    let y = thick.unwrap_or_else(|| moments.solve(&own).0);
+    let y = thick.unwrap_or_else(|| squares.solve(&own).0);
     let along = dot(&own, &y);
     if is_thick && n >= 4 * SAMPLE * LANES {
         let step = n / (SAMPLE * LANES);
@@ -252,7 +252,7 @@ fn of_least_at<S: Simd, const OWN: bool>(simd: S, query: &impl KernelQuery, p: &
     let reach = sums.reach;
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-        // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
+        // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|_∞, and |y|_∞
         let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * (longest + UNDERFLOW)) * LONG_SUM
             + n as f64 * PRODUCT_UNDERFLOW;
         if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
@@ -275,13 +275,13 @@ fn of_least_in_plane_at<S: Simd>(
     plane: &SimplePlane,
 ) -> Result<Witness, Open> {
     let (runs, n) = (query.rows(), query.len());
-    let moments = Moments::of_squares(squares_at::<_, true>(simd, runs));
+    let squares = SymmetricMatrix(squares_at::<_, true>(simd, runs));
     let own = [p[0].value, p[1].value, p[2].value];
-    let (y, is_thick) = moments.with_normal(&plane.normal).solve(&own);
+    let (y, is_thick) = squares.plus_square(squares.trace(), &plane.normal).solve(&own);
     let mut coefficients = vec![0.0; n];
     let sums = write::<_, true>(simd, runs, &y, &mut coefficients);
     if is_thick && sums.largest <= WELL_WITHIN {
-        let magnitude = magnitude::<true>(&moments, n);
+        let magnitude = magnitude::<true>(&squares, n);
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
             return Ok(Witness { coefficients, basis });
@@ -290,9 +290,9 @@ fn of_least_in_plane_at<S: Simd>(
     Err(Open { y, gauge: dot(&own, &y) / sums.reach, is_thick })
 }
 
-/// At least Σ |v|: of v · v / |v| each is, and of v · v the mean is at least the square of that of |v|.
-fn magnitude<const OWN: bool>(moments: &Moments, count: usize) -> f64 {
-    let trace = moments.trace();
+/// At least Σ |v|_∞: of v · v / |v|_∞ each is, and of v · v the mean is at least the square of that of |v|_∞.
+fn magnitude<const OWN: bool>(squares: &SymmetricMatrix, count: usize) -> f64 {
+    let trace = squares.trace();
     if OWN { trace * LONG_SUM } else { (count as f64 * trace).sqrt() * LONG_SUM }
 }
 

@@ -26,12 +26,11 @@ pub(crate) mod stratified_pass;
 
 use self::clipped_steps::{Effort, SAMPLE_STEPS, State, StepsEnd, inside, separates};
 
-use crate::collision::Location;
-use crate::collision::answer::Proof;
 use crate::collision::by_lad::early::combination::Combination;
-use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments};
+use crate::collision::by_lad::early::huber_dual::{Among, Lengths, hessian_at_zero};
 use crate::collision::by_lad::early::least_squares::{Open, of_least, of_least_in_plane};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
+use crate::collision::{Location, Query};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
@@ -40,6 +39,8 @@ use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::location::Proof;
+use crate::zonotope::pose::Standing;
 
 /// With at most this many generators no sample is taken.
 const WHOLE_LIMIT: usize = 320;
@@ -59,9 +60,13 @@ const INSIDE_GAUGE_OF_SMALL_BODIES: f64 = 0.6;
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
-/// The status of p with its proof, if p is far from the boundary.
+/// The status of p with its proof, if p is far from the boundary, and the entries of the matrices of poses are of
+/// moderate size.
 #[inline]
-pub(crate) fn locate(query: &impl KernelQuery, tally: &mut dyn Tally) -> Option<Proof> {
+pub(crate) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Option<Proof> {
+    if !query.is_moderate() {
+        return None;
+    }
     let p = query.displacement_estimate();
     let n = query.len();
     if n > WHOLE_LIMIT {
@@ -126,7 +131,7 @@ fn locate_by_steps(query: &impl KernelQuery, p: &BoundedVector, open: &Open, tal
 fn locate_by_all(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Proof> {
     tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
-    let (y, is_thick) = Moments::at_zero(query, Lengths::Own).solve(&own);
+    let (y, is_thick) = hessian_at_zero(query, Lengths::Own).solve(&own);
     let reach = query.support(&y);
     let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
@@ -155,7 +160,7 @@ fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn
     let part = few.len() as f64 / n as f64;
     let own = p.map(|c| c.value * part);
     let lengths = Lengths::of(&sample);
-    let least = Moments::at_zero(&sample, lengths);
+    let least = hessian_at_zero(&sample, lengths);
     let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(sample, &y).value;
     if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt() && separates(query, p, &y, tally) {
@@ -197,7 +202,6 @@ fn locate_by_sample(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Query;
     use crate::collision::brute_force;
     use crate::interop::verifier::check_location;
     use crate::tally::OperationCounts;

@@ -12,15 +12,14 @@
 use std::cmp::Ordering;
 
 use super::direction_guess;
+use super::fixed_signs::fixed_coefficients;
 use crate::collision::proof::vectors::Vectors;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
-use crate::numeric::lanes::signed_factors;
 use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
-use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{KNOWN_SQUARE, SQUARABLE_SIZES};
 use crate::tally::{Operation, Tally};
 
@@ -72,21 +71,10 @@ fn in_cone(
         return None;
     }
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    let (sum, p) = (query.combined(&fixed_signs(query, cone, &indices)), query.displacement_pairs());
+    let (sum, p) = (query.combined(&fixed_coefficients(query, cone, &indices)), query.displacement_pairs());
     let (direction, square) = face.foot(&[p[0] - sum[0], p[1] - sum[1], p[2] - sum[2]])?;
     let is_optimal = cone.contains(&direction.map(|c| c.rounded()), &bounded::exact(cone.center));
     if is_optimal { root(square) } else { None }
-}
-
-/// The sign that each generator has throughout a cone as a coefficient, 0 for those that cross it.
-fn fixed_signs(query: &dyn KernelQuery, cone: &DirectionCone, crossing: &[u32]) -> Reused<f64> {
-    let mut signs = Reused::with_capacity(query.len());
-    for part in query.parts() {
-        let center = part.frame.map_or(cone.center, |frame| frame.pulled_cell(cone).center);
-        signed_factors(part.rows, &center, 1.0, &mut signs);
-    }
-    crossing.iter().for_each(|&index| signs[index as usize] = 0.0);
-    signs
 }
 
 /// A face by the generators that span it.

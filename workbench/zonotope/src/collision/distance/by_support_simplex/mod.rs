@@ -76,8 +76,8 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
-use crate::zonotope::placed::Standing;
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Query, padded};
 
 /// The proximity of the bodies of a query where they stand: how far apart they are, or how they meet.
 pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Proximity<D> {
@@ -130,8 +130,4 @@ fn direction<const D: usize>(separation: &Separation<D>) -> [f64; D] {
         Separation::Rounded(direction) => *direction,
         Separation::Exact(direction) => direction.each_ref().map(|c| c.to_f64().value()),
     }
-}
-
-fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
-    std::array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
 }

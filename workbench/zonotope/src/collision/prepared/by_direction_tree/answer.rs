@@ -16,7 +16,7 @@ use crate::lad::of_generators::seam::generators::Carried;
 use crate::lad::of_generators::solve;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::tolerance::NODE_BODY_STRETCH;
-use crate::zonotope::placed::{AtRest, Standing};
+use crate::zonotope::pose::{AtRest, Standing};
 
 /// The location of a displacement relative to the bodies of one or two trees, with a proof that was not written out.
 #[derive(Debug)]

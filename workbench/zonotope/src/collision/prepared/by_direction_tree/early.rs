@@ -13,7 +13,7 @@ use super::nodes::{CHILDREN, Front, NodeBlock};
 use super::part::TreePart;
 use super::query::TreeQuery;
 use crate::collision::Location;
-use crate::collision::by_lad::ladder;
+use crate::collision::by_lad::early;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{self, Bounded};
 use crate::numeric::lanes::level::level;
@@ -25,8 +25,8 @@ use crate::numeric::tolerance::{
     PRODUCT_UNDERFLOW, UNIT,
 };
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query};
 
 impl<P: Standing> TreeQuery<'_, P> {
     /// The location of the displacement, if it is far inside or outside: from nodes, or where sums of nodes are of no
@@ -35,7 +35,7 @@ impl<P: Standing> TreeQuery<'_, P> {
         if self.is_located_by_nodes() {
             return self.located_by_nodes(tally);
         }
-        ladder::early(&self.query, tally).map(|proof| Certified::Written(proof.counted(tally)))
+        early::locate(&self.query, tally).map(|proof| Certified::Written(proof.counted(tally)))
     }
 
     /// Whether what rounding takes off the sums of nodes and off the displacement is little.
@@ -65,7 +65,7 @@ impl<P: Standing> TreeQuery<'_, P> {
         let query = Query::of_placed(front(0, [0.0; 3])?, front(1, longer).filter(|_| is_finite)?);
         tally.add(Operation::GeneratorRead, query.len() as u64);
         // the rung is noted when the answer is one for the bodies, too
-        let proof = ladder::early(&query, &mut ())?;
+        let proof = early::locate(&query, &mut ())?;
         if let Some(u) = proof.direction() {
             let along = dot(&p, &bounded::exact(u));
             [false, true].into_iter().find(|&is_middle| {

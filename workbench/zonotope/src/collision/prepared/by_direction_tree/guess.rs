@@ -11,11 +11,8 @@ use smallvec::SmallVec;
 use super::DirectionTree;
 use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
-use crate::lad::of_generators::guess::huber_newton::Step;
-use crate::lad::of_generators::guess::huber_sums::{Moments, Others, factor, solve};
-use crate::lad::of_generators::plane::guess::Guess;
-use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::guess::huber_newton::{Moments, Others, Step, solve};
+use crate::lad::of_generators::plane::in_doubles::{Guess, RoundedChart, RoundedLines};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::frame::Frame;
 use crate::numeric::linear::dot;
@@ -159,11 +156,7 @@ fn minimum(nodes: &Reduced<'_>, lines: RoundedLines, chart: &RoundedChart, point
     });
     let Smooth { point, band, moments } = found?;
     let others = Others { before: None, share: 0.0, longest: f64::INFINITY };
-    let [first, second] = factor(&lines.spread(point, band, others))?;
-    let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * DEVIATIONS));
-    let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
-    let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
-    (finite(guess.point) && finite(guess.sides[0]) && finite(guess.sides[1])).then_some(guess)
+    lines.guess_of(&moments, band, point, others, DEVIATIONS)
 }
 
 /// The standard deviation of v · u over a box: that of a sum of even spreads is that of one whose width is the root of

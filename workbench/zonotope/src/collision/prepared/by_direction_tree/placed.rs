@@ -48,9 +48,8 @@ use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::solve;
 use crate::numeric::non_finite::NonFinite;
 use crate::tally::Tally;
-use crate::zonotope::placed::{AtRest, Placed, Standing};
-use crate::zonotope::pose::Pose;
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::{AtRest, Pose, Standing};
+use crate::zonotope::query::{Placed, Query};
 
 /// A body with its tree, where it stands.
 #[derive(Debug, Clone, Copy)]

@@ -26,7 +26,7 @@ use crate::numeric::linear::dot;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::{EXACT_DIRECTION_ROUNDING, NODE_SUM_ROUNDING};
 use crate::tally::Tally;
-use crate::zonotope::placed::{AtRest, Standing};
+use crate::zonotope::pose::{AtRest, Standing};
 use crate::zonotope::query::Query;
 
 /// Memory for so many generators is taken for those that cross a cell; few cells are crossed by more.

@@ -9,10 +9,7 @@
 
 use std::cmp::Ordering;
 
-use super::sum_errors::SumErrors;
-use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{SumErrors, Vectors, cross_terms, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
@@ -22,7 +19,7 @@ use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
-use crate::zonotope::location::Witness;
+use crate::zonotope::location::{Proof, Witness};
 
 /// A share of more than this is taken to be 1: then others are solved for exactly, and there is no proof if it is not.
 const NEARLY_ONE: f64 = 1.0 - 1e-9;
@@ -95,12 +92,9 @@ pub(super) fn touching(
     let touched = Touched { query, vectors, pair, third, others, signs };
     // what the generators off the plane leave is exact, and those of the facet are taken off one by one
     let errors = errors.after(members.len());
-    let of_pair = touched.coefficients(&rounded, &errors).or_else(|| touched.exact_coefficients(left))?;
-    let mut coefficients = signs.to_vec();
-    for (i, coefficient) in pair.into_iter().zip(of_pair) {
-        coefficients[i] = coefficient;
-    }
-    Some(Proof::boundary(Witness::in_order(coefficients, [pair[0], pair[1], third]), Rung::ScaledSigns))
+    let [first, second] = touched.coefficients(&rounded, &errors).or_else(|| touched.exact_coefficients(left))?;
+    let witness = Witness::with_basis(signs.to_vec(), [pair[0], pair[1], third], [first, second, signs[third]]);
+    Some(Proof::boundary(witness, Rung::ScaledSigns))
 }
 
 /// The two generators of the facet that make up for what the others leave: where all shares but one are at their ends,
@@ -134,8 +128,7 @@ impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
         let start = minus(*sum, -self.signs[self.third], &self.vectors.value(self.third));
         let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.vectors.value(i)));
-        let basis = [self.pair[0], self.pair[1], self.third].map(|i| self.vectors.vector(i));
-        match solve(&basis, self.vectors.determinant_error, &rest, errors)? {
+        match self.vectors.coefficients([self.pair[0], self.pair[1], self.third], &rest, errors)? {
             [Some(first), Some(second), _] => Some([first, second]),
             _ => None,
         }

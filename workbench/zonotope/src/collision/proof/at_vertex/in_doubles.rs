@@ -13,10 +13,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
-use super::sum_errors::SumErrors;
-use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::{minus, solve};
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{SumErrors, Vectors, first_of_largest, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -29,7 +26,7 @@ use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::tally::Rung;
-use crate::zonotope::location::Witness;
+use crate::zonotope::location::{Proof, Witness};
 
 /// The number of generators that are looked at for the third of a basis where the two of the facet make up for
 /// everything in its plane.
@@ -241,10 +238,8 @@ impl Facet<'_> {
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
         let n = self.vectors.len();
-        let heights = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
-        let heights = heights.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i));
-        let (height, third) = heights.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-        (height > 0.0).then_some(third)
+        let places = (0..n).step_by(n.div_ceil(candidates)).filter(|i| !self.pair.contains(i));
+        first_of_largest(places.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i)))
     }
 
     /// The signed sum without some generators, whose signs are listed.
@@ -259,13 +254,11 @@ impl Facet<'_> {
     fn combined(&self, third: usize, left: [f64; 3], shares: &[f64], errors: &[f64; 3]) -> Option<Proof> {
         let basis = [self.pair[0], self.pair[1], third];
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
-        let own = solve(&basis.map(|i| self.vectors.vector(i)), self.vectors.determinant_error, &rest, errors)?;
+        let own = self.vectors.coefficients(basis, &rest, errors)?;
         let [Some(first), Some(second), Some(last)] = own else { return None };
-        let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
-            coefficients[i] = coefficient;
-        }
-        Some(Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients))
+        let coefficients = shares.iter().map(|share| self.factor * share).collect();
+        let witness = Witness::with_basis(coefficients, basis, [first, second, last]);
+        Some(Proof::inside(witness, Rung::RoundedCoefficients))
     }
 }
 

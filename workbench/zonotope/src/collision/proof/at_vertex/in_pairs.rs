@@ -7,18 +7,16 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::answer::Proof;
-use crate::collision::proof::balance::three_coefficients::cross_terms;
 use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
 use crate::collision::proof::separation::exact_rung;
-use crate::collision::proof::vectors::Vectors;
+use crate::collision::proof::vectors::{Vectors, cross_terms, first_of_largest};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
 use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
-use crate::zonotope::location::{Location, Separation, Witness};
+use crate::zonotope::location::{Location, Proof, Separation, Witness};
 
 /// The location of p, with its proof, from the computed normal u of two generators, which is a × b or, if it is
 /// reversed, its opposite, and a share in [−1, 1] of each other generator: the sign of its product with u, as a rule.
@@ -105,18 +103,13 @@ fn member(
     Some(proof(basis, [first, second, last], coefficients))
 }
 
-fn proof(basis: [usize; 3], own: [f64; 3], mut coefficients: Vec<f64>) -> Proof {
-    for (coefficient, i) in own.into_iter().zip(basis) {
-        coefficients[i] = coefficient;
-    }
-    Proof::inside(Witness::in_order(coefficients, basis), Rung::RoundedCoefficients)
+fn proof(basis: [usize; 3], own: [f64; 3], coefficients: Vec<f64>) -> Proof {
+    Proof::inside(Witness::with_basis(coefficients, basis, own), Rung::RoundedCoefficients)
 }
 
 /// The generator of the largest value, if one is positive.
 fn largest(vectors: &Vectors<'_>, value: impl Fn(usize, &[f64; 3]) -> f64) -> Option<usize> {
-    let values = (0..vectors.len()).map(|i| (value(i, &vectors.value(i)), i));
-    let (largest, index) = values.fold((0.0, 0), |best, own| if own.0 > best.0 { own } else { best });
-    (largest > 0.0).then_some(index)
+    first_of_largest((0..vectors.len()).map(|i| (value(i, &vectors.value(i)), i)))
 }
 
 /// The coefficients of three generators.

@@ -5,10 +5,7 @@
 //! | [`in_doubles`] | away from the boundary; it hands over to the two others where doubles leave a doubt |
 //! | [`in_pairs`] | near the boundary, in pairs of doubles |
 //! | [`contact`] | on the facet, exactly |
-//!
-//! [`sum_errors`] bounds what the sums of the first and the last lose.
 
 mod contact;
 pub(crate) mod in_doubles;
 mod in_pairs;
-mod sum_errors;

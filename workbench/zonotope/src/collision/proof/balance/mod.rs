@@ -2,7 +2,6 @@
 //!
 //! | file | what it has |
 //! |---|---|
-//! | [`three_coefficients`] | the coefficients of three generators in doubles, with bounds in terms of coordinates |
 //! | [`well_spread`] | three generators that are far from lying in one plane |
 //! | [`basis`] | linearly independent generators, and exact coordinates in terms of them |
 //! | [`solve`] | the coefficients of a basis in rationals, in any dimension |
@@ -11,5 +10,4 @@
 pub(crate) mod basis;
 pub(crate) mod nearest;
 pub(crate) mod solve;
-pub(crate) mod three_coefficients;
 pub(crate) mod well_spread;

@@ -23,8 +23,8 @@ use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::location::{Gauge, Location, Witness};
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query, padded};
 
 /// The coefficients of a witness's basis, each the nearest double or the one beside it; `None` if its generators are
 /// dependent or nothing solves the equation. O(n).
@@ -54,20 +54,11 @@ fn exact_basis<const D: usize, P: Standing>(
         start = places.end;
     }
     let column = |&b: &usize| {
-        let (body, place) = body_of(query, b);
-        body.exact_image(body.generators()[place].map(Dyadic::from_f64)).map(|c| c.to_rational()).to_vec()
+        let (body, v) = query.located(b);
+        body.exact_image(v.map(Dyadic::from_f64)).map(|c| c.to_rational()).to_vec()
     };
     let columns: Vec<_> = basis.iter().map(column).collect();
     exact_linear::solve(&columns, &left.map(|c| c.to_rational()))
-}
-
-/// The body of a generator, and the generator's place in it.
-fn body_of<'q, 'a, const D: usize, P: Standing>(
-    query: &'q Query<'a, D, P>,
-    index: usize,
-) -> (&'q Placed<'a, D, P>, usize) {
-    let [first, second] = query.parts();
-    index.checked_sub(first.generators().len()).map_or((first, index), |place| (second, place))
 }
 
 /// p − Σ c v over all generators, in at most three dimensions. O(n).
@@ -89,16 +80,10 @@ fn rest<const D: usize, P: Standing>(query: &Query<'_, D, P>, coefficients: &[f6
     array::from_fn(|k| p[k] - own[k] - others[k])
 }
 
-/// A vector as one of space, the coordinates beyond D 0.
-#[inline]
-fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
-    [0, 1, 2].map(|k| v.get(k).copied().unwrap_or(0.0))
-}
-
 /// A generator in doubles, the coordinates beyond D 0, with a bound of its length |v|_1 of which 4 u bounds the error.
 fn vector<const D: usize, P: Standing>(query: &Query<'_, D, P>, index: usize) -> ([f64; 3], f64) {
-    let (body, place) = body_of(query, index);
-    let v = padded(&body.generators()[place]);
+    let (body, v) = query.located(index);
+    let v = padded(v);
     match body.standing().pose().and_then(Frame::of) {
         None => (v, sum_norm(&v)),
         Some(frame) => frame.image_with_length(&v),

@@ -125,12 +125,7 @@ fn prove(
     for &(index, share) in &optimum.shares {
         coefficients[index] = share * factor;
     }
-    let mut basis = vec![optimum.basis[0], optimum.basis[1], third];
-    for (&index, value) in basis.iter().zip(own) {
-        coefficients[index] = value;
-    }
-    basis.sort_unstable();
-    Some(Witness { coefficients, basis })
+    Some(Witness::with_basis(coefficients, [optimum.basis[0], optimum.basis[1], third], own))
 }
 
 /// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
@@ -163,12 +158,7 @@ fn prove_by_others(
     for (index, share) in shares {
         coefficients[index] = share * factor;
     }
-    let mut basis = basis.to_vec();
-    for (&index, value) in basis.iter().zip(own) {
-        coefficients[index] = value;
-    }
-    basis.sort_unstable();
-    Some(Witness { coefficients, basis })
+    Some(Witness::with_basis(coefficients, basis, own))
 }
 
 /// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).

@@ -23,9 +23,8 @@ use self::pivot::walk;
 use super::at_vertex::in_doubles::location_by_pair;
 use super::balance::basis::Basis;
 use super::separation::{self, exact_rung};
-use crate::collision::answer::Proof;
 use crate::collision::{Location, Separation, Witness};
-use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
+use crate::lad::of_generators::certify::rounded_optimum::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::ladder;
 use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
@@ -33,6 +32,7 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
+use crate::zonotope::location::Proof;
 
 /// The location of the displacement of a query, with its proof, from an optimum for which no search was ended.
 pub(in crate::collision) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {

@@ -1,11 +1,11 @@
 //! From an exact proof with rational coefficients to one with doubles off the basis.
 //!
-//! The state is a solution of Σ x_i v_i = p with every x_i in [−1, 1]. A generator off the basis is either rounded,
-//! its coefficient a double, or waits with ±μ, where μ = 1 / λ is rational; the coefficients of the basis solve the
-//! equation. A group of waiting generators is rounded to ±c at once if the basis stays in [−1, 1]; else the group is
-//! halved and each half is tried. Where a single generator takes a basis coefficient to ±1 on its way to ±c, the
-//! basis generator stays there, rounded, and the waiting generator takes its place in the basis. Every step keeps the
-//! state, so the walk ends with a proof.
+//! The state is a solution of Σ x_i v_i = p with every x_i in [−1, 1]. A generator off the basis is either rounded, its
+//! coefficient a double, or waits with ±1 / λ, which is rational; the coefficients of the basis solve the equation. A
+//! group of waiting generators is rounded to ±c at once if the basis stays in [−1, 1]; else the group is halved and
+//! each half is tried. Where a single generator takes a basis coefficient to ±1 on its way to ±c, the basis generator
+//! stays there, rounded, and the waiting generator takes its place in the basis. Every step keeps the state, so the
+//! walk ends with a proof.
 
 use std::cmp::Ordering;
 

@@ -24,9 +24,8 @@ use crate::lad::of_generators::optimum::Optimum;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
-use crate::zonotope::placed::Placed;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Placed, Query};
 
 /// A proof of the status of a frame, as far as it may hold after a motion.
 #[derive(Debug)]

@@ -78,7 +78,7 @@ use self::local_sums::{LocalSums, WIDEST_RADIUS};
 use self::pace::{COPY_CHARGE, Pace};
 use self::prediction::{Expected, Prediction};
 use self::query::WarmQuery;
-use crate::collision::by_lad::ladder;
+use crate::collision::by_lad::early;
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
@@ -89,9 +89,8 @@ use crate::numeric::bounded;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Reads, Rung, Tally};
-use crate::zonotope::placed::Placed;
 use crate::zonotope::pose::Pose;
-use crate::zonotope::query::Query;
+use crate::zonotope::query::{Placed, Query};
 
 /// The search takes all generators at once if there are no more than these: no sums are kept of them.
 const WHOLE_LIMIT: usize = 128;
@@ -162,7 +161,7 @@ impl<'b> WarmTracker<'b> {
     /// A frame like a first query, in a pause: what can be learnt and kept of it without a pass is all but free.
     fn fresh(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
         self.kept = None;
-        if let Some(proof) = ladder::early(query, tally) {
+        if let Some(proof) = early::locate(query, tally) {
             return Certificate::Written(proof.counted(tally));
         }
         let optimum = solve(query, Goal::Location, tally);
@@ -213,7 +212,7 @@ impl<'b> WarmTracker<'b> {
     /// A direction that tells what is clear is kept as it is. Where the last one did not hold for long, the optimum,
     /// which leaves more room, is worth a search.
     fn cold(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
-        let clear = ladder::early(query, tally).map(|proof| proof.counted(tally));
+        let clear = early::locate(query, tally).map(|proof| proof.counted(tally));
         let has_failed = matches!(self.kept.take(), Some(Kept::Outside { .. })) && query.len() > WHOLE_LIMIT;
         match clear {
             Some(Location::Outside(Separation::Rounded(direction))) if !has_failed => {

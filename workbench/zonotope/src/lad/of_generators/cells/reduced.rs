@@ -4,8 +4,7 @@
 //! where those signs are right. So an optimum of the reduced problem that lies in the cell is an optimum of the
 //! whole, by convexity.
 
-use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::in_doubles::{RoundedChart, RoundedLines};
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places};

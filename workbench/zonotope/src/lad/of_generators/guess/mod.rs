@@ -5,11 +5,9 @@
 //! |---|---|
 //! | [`aim`] | the band and the size of the cell that a guess is to allow for |
 //! | [`sample`] | a part of the generators that stands for all of them |
-//! | [`huber_sums`] | sums over the lines for the objective with rounded-off kinks, and for a least-squares start |
-//! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks |
+//! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks, and the sums that these take |
 //! | [`parallel_classes`] | the sums of the generators of each of few directions |
-//! | [`vertex_descent`] | the vertex at which descent along lines ends, in doubles |
-//! | [`line_search`] | the crossing of a line at which the slope along it changes its sign |
+//! | [`vertex_descent`] | the vertex at which descent ends, along one line after the other, in doubles |
 //! | [`crossings`] | the weighted median of the places at which lines are crossed |
 //! | [`facet_coefficients`] | the coefficients of many generators of one facet, by such a median |
 
@@ -17,8 +15,6 @@ pub(crate) mod aim;
 pub(crate) mod crossings;
 pub(crate) mod facet_coefficients;
 pub(crate) mod huber_newton;
-pub(crate) mod huber_sums;
-mod line_search;
 pub(crate) mod parallel_classes;
 pub(crate) mod sample;
 pub(crate) mod vertex_descent;

@@ -11,9 +11,7 @@ use fearless_simd::{Simd, dispatch, f64x8, mask64x8, prelude::*};
 
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::guess::vertex_descent::descend;
-use crate::lad::of_generators::plane::guess::Guess;
-use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::in_doubles::{Guess, RoundedChart, RoundedLines};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;

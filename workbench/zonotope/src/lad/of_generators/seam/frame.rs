@@ -13,7 +13,7 @@ use super::direction_cone::DirectionCone;
 use super::sign_pass::FixedSum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
-use crate::numeric::linear::{cyclic_cross_products, dot, max_norm, sum_norm};
+use crate::numeric::linear::{SymmetricMatrix, cyclic_cross_products, dot, max_norm, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNDERFLOW, UNIT};
 use crate::zonotope::pose::Pose;
 
@@ -68,13 +68,15 @@ impl<'a> Frame<'a> {
         (self.image(v), self.pose.magnitude() * sum_norm(v) + SQUARABLE_SIZES.start)
     }
 
-    /// M H Mᵀ, rounded; a symmetric matrix is given by xx, xy, xz, yy, yz, zz.
+    /// M H Mᵀ, rounded.
     #[inline(always)]
-    pub(crate) fn congruent(&self, &[xx, xy, xz, yy, yz, zz]: &[f64; 6]) -> [f64; 6] {
+    pub(crate) fn congruent(&self, &SymmetricMatrix([xx, xy, xz, yy, yz, zz]): &SymmetricMatrix) -> SymmetricMatrix {
         let [a, b, c] = self.pose.rows();
         let times = |row: &[f64; 3]| [dot(row, &[xx, xy, xz]), dot(row, &[xy, yy, yz]), dot(row, &[xz, yz, zz])];
         let [first, second, third] = [times(a), times(b), times(c)];
-        [dot(&first, a), dot(&first, b), dot(&first, c), dot(&second, b), dot(&second, c), dot(&third, c)]
+        let entries =
+            [dot(&first, a), dot(&first, b), dot(&first, c), dot(&second, b), dot(&second, c), dot(&third, c)];
+        SymmetricMatrix(entries)
     }
 
     /// At least Σ |M v|, and what takes its place in bounds of errors of sums over the images, from at least Σ |v|.

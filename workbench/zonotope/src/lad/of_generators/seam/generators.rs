@@ -33,7 +33,7 @@ use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::linear::sum_norm;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, DETERMINANT_OF_ROWS};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// Results of a pass over the rows of one part that can become results for their images.
@@ -65,16 +65,12 @@ pub(crate) trait Generators: fmt::Debug + Sync {
 
     /// A generator in doubles, off by at most [`relative_error`](Self::relative_error) times its length.
     fn generator(&self, index: usize) -> [f64; 3] {
-        generator_of(&self.parts(), index)
+        of_row(&self.parts(), index, Part::image)
     }
 
     /// A generator, exactly.
     fn exact_generator(&self, index: usize) -> ExactVector {
-        let [first, second] = self.parts();
-        match index.checked_sub(first.rows.len()) {
-            None => first.exact_image(&first.rows.list()[index]),
-            Some(index) => second.exact_image(&second.rows.list()[index]),
-        }
+        of_row(&self.parts(), index, Part::exact_image)
     }
 
     /// A bound on the error of a generator in doubles, in terms of its length; 0 where doubles hold the generators
@@ -87,11 +83,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     /// most 4 u.
     #[inline(always)]
     fn vector(&self, index: usize) -> ([f64; 3], f64) {
-        let [first, second] = self.parts();
-        match index.checked_sub(first.rows.len()) {
-            None => first.image_with_length(&first.rows.list()[index]),
-            Some(index) => second.image_with_length(&second.rows.list()[index]),
-        }
+        of_row(&self.parts(), index, Part::image_with_length)
     }
 
     /// Whether no implementor of the type has a matrix, so that a pass takes both runs at once.
@@ -212,12 +204,17 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     }
 }
 
-/// A generator in doubles, for callers that read many and ask for the parts once.
-#[inline]
-pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f64; 3] {
+/// The value that a function has for the part and the row of a generator, for callers that read many and ask for the
+/// parts once.
+#[inline(always)]
+pub(crate) fn of_row<'p, 'a, T>(
+    [first, second]: &'p [Part<'a>; 2],
+    index: usize,
+    value: impl FnOnce(&'p Part<'a>, &'a [f64; 3]) -> T,
+) -> T {
     match index.checked_sub(first.rows.len()) {
-        None => first.image(&first.rows.list()[index]),
-        Some(index) => second.image(&second.rows.list()[index]),
+        None => value(first, &first.rows.list()[index]),
+        Some(index) => value(second, &second.rows.list()[index]),
     }
 }
 
@@ -309,6 +306,12 @@ impl<'a> Part<'a> {
     fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
         let v = exact(*v);
         self.frame.map_or_else(|| v.clone(), |frame| frame.exact_image(&v))
+    }
+
+    /// The image of a row to twice the digits of a double.
+    #[inline]
+    pub(crate) fn image_in_pairs(&self, v: &[f64; 3]) -> [BoundedDoubleDouble; 3] {
+        self.pair_image(&v.map(BoundedDoubleDouble::exact))
     }
 
     /// The image of a vector that is known to twice the digits of a double.

@@ -4,12 +4,13 @@ use std::borrow::Cow;
 
 use super::direction_cone::DirectionCone;
 use super::generators::Generators;
-use crate::numeric::bounded::BoundedVector;
+use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{ExactVector, doubles};
+use crate::numeric::linear::dot;
 use crate::tally::Tally;
-use crate::zonotope::placed::{Placed, Standing};
-use crate::zonotope::query::Query;
+use crate::zonotope::pose::Standing;
+use crate::zonotope::query::{Placed, Query};
 
 /// Generators and the displacement that is asked about.
 pub(crate) trait KernelQuery: Generators {
@@ -19,17 +20,16 @@ pub(crate) trait KernelQuery: Generators {
     /// The displacement p in doubles, with a bound of each coordinate's error.
     fn rounded_displacement(&self) -> BoundedVector;
 
-    /// The displacement in doubles at first sight: with a bound that may be larger.
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        self.rounded_displacement()
-    }
-
     /// The displacement to twice the digits of a double.
     fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3];
 
     /// The generators and both ends of the displacement, if doubles hold all of them; images are copied. O(n).
     fn in_doubles(&self) -> Option<InDoubles<'_>>;
+
+    /// Whether u · p > h(u) for the displacement in doubles, proved by one pass.
+    fn separates(&self, p: &BoundedVector, u: &[f64; 3]) -> bool {
+        (dot(p, &bounded::exact(*u)) - self.support(u)).is_positive()
+    }
 
     /// A cell that is likely to hold the optimum, where whoever holds the generators knows more of them than a sample
     /// tells; its centre is a direction u with u · p = 1.
@@ -84,11 +84,6 @@ impl<P: Standing> KernelQuery for Query<'_, 3, P> {
     #[inline(always)]
     fn rounded_displacement(&self) -> BoundedVector {
         Query::rounded_displacement(self)
-    }
-
-    #[inline(always)]
-    fn displacement_estimate(&self) -> BoundedVector {
-        Query::displacement_estimate(self)
     }
 
     fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {

@@ -9,7 +9,6 @@ use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::parallel_classes::ParallelClasses;
 use crate::lad::of_generators::problem::Problem;
-use crate::lad::of_generators::support::separates;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
@@ -41,7 +40,7 @@ pub(crate) fn search_meetings(
         if problem.goal == Goal::Location && round == 0 {
             tally.add(Operation::GeneratorRead, query.len() as u64);
             let direction = chart.point(meeting.guess.point);
-            if separates(query, &problem.p, &direction) {
+            if query.separates(&problem.p, &direction) {
                 return Some(ClassesFound::Separated(direction));
             }
         }

@@ -9,12 +9,12 @@
 //!    two points.
 //! 4. A cell that many lines cross is searched in the same way, by a sample of those lines.
 
-use super::certified_descent::{Ended, descend_and_certify};
+use super::narrowing::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
 use crate::lad::of_generators::guess::aim::{Aim, SAMPLE_DEVIATIONS};
 use crate::lad::of_generators::guess::sample::Sample;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::in_doubles::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::numeric::reused::{Reused, ReusedBox};

@@ -17,8 +17,7 @@
 use super::Searched;
 use super::narrowing::{DESCENT_LINES, Missed, narrow_last};
 use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
-use crate::lad::of_generators::plane::guess::Guess;
-use crate::lad::of_generators::plane::rounded_lines::{Plane, RoundedLines};
+use crate::lad::of_generators::plane::in_doubles::{Guess, Plane, RoundedLines};
 use crate::lad::of_generators::problem::Problem;
 use crate::numeric::linear::cross;
 use crate::numeric::reused::Reused;

@@ -2,20 +2,16 @@
 //!
 //! | search | where it is at home |
 //! |---|---|
-//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few hundred lines |
+//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent from vertex to vertex until one is certified |
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
-//! | [`likely_vertex`] | a few hundred generators: the vertex of a proof that needs no certificate |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: passes over all correct the gradient of a sample |
 //! | [`cutting_planes`] | where these leave a doubt: three pieces of the objective close in on the optimum |
-//! | [`certified_descent`] | the end of most: descent from vertex to vertex until one is certified |
 
 pub(crate) mod best_pair;
-pub(crate) mod certified_descent;
 pub(crate) mod class_meetings;
 pub(crate) mod corrected_sample;
 pub(crate) mod cutting_planes;
-pub(crate) mod likely_vertex;
 pub(crate) mod narrowing;
 
 use super::cells::nested::NestedCells;

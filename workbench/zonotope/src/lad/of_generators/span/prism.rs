@@ -11,8 +11,8 @@ use std::ops::Range;
 use crate::numeric::lanes::Extents;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::SQUARABLE_SIZES;
-use crate::zonotope::location::{Gauge, Location, Separation, Witness};
-use crate::zonotope::query::Query;
+use crate::zonotope::location::{Location, Witness};
+use crate::zonotope::query::{Query, padded};
 
 /// The points and generators of a prism.
 #[derive(Debug)]
@@ -64,43 +64,11 @@ impl Prism {
 
     /// The coefficients for the body.
     pub(crate) fn lower_witness(&self, witness: Witness) -> Witness {
-        lowered_witness(witness, self.own)
+        witness.lowered(self.own)
     }
 
     /// The answer for the body.
     pub(crate) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
-        lowered(location, self.own)
+        location.lowered(self.own)
     }
-}
-
-/// The answer for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
-#[inline]
-pub(crate) fn lowered<const E: usize, const D: usize>(location: Location<E>, own: usize) -> Location<D> {
-    match location {
-        Location::Inside(proof) => Location::Inside(lowered_witness(proof, own)),
-        Location::Boundary(proof) => Location::Boundary(lowered_witness(proof, own)),
-        Location::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
-        Location::Outside(Separation::Exact(u)) => {
-            Location::Outside(Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))))
-        }
-    }
-}
-
-/// The gauge for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
-pub(crate) fn lowered_gauge<const E: usize, const D: usize>(gauge: Gauge<E>, own: usize) -> Gauge<D> {
-    let Gauge { value, error, location } = gauge;
-    Gauge { value, error, location: lowered(location, own) }
-}
-
-fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize) -> Witness {
-    coefficients.truncate(own);
-    // the indices are in increasing order
-    while basis.last().is_some_and(|&generator| generator >= own) {
-        basis.pop();
-    }
-    Witness { coefficients, basis }
-}
-
-fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
-    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
 }

@@ -66,7 +66,7 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::placed::Standing;
+use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
 /// The most generators of which the polytope grows in exact numbers at once: what doubles would spare is not felt, and
