@@ -3,5 +3,8 @@
 //! | problem | method | it is raced in |
 //! |---|---|---|
 //! | membership and intersection | [`by_gjk`], as physics engines do it | `wrong-answers`, `collision-scaling`, the peers |
+//! | first contact of moving bodies | [`first_contact`], as motion planners do it | `motion-misses` |
 
 pub mod by_gjk;
+pub mod first_contact;
+mod products;
