@@ -4,7 +4,10 @@
 //! |---|---|---|
 //! | membership and intersection | [`by_gjk`], as physics engines do it | `wrong-answers`, `collision-scaling`, the peers |
 //! | first contact of moving bodies | [`first_contact`], as motion planners do it | `motion-misses` |
+//! | linear programs | `simplex`, the engine microlp (feature `linear-programming`) | `wrong-answers`, `collision-scaling` |
 
 pub mod by_gjk;
 pub mod first_contact;
 mod products;
+#[cfg(feature = "linear-programming")]
+pub mod simplex;
