@@ -88,11 +88,11 @@ fn page(noun: &str, note: &str) -> Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use zonotope::zonotope::named;
+    use families::bodies::named;
 
     #[test]
     fn a_picture_does_not_depend_on_place_and_unit() {
-        let body = named::truncated_octahedron();
+        let body = Zonotope::new([0.0; 3], named::truncated_octahedron()).expect("finite");
         let far = [1e10, 0.0, 3.0];
         for factor in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
             let generators = body.generators().iter().map(|g| g.map(|c| c * factor)).collect();

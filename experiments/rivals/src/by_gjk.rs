@@ -49,6 +49,8 @@ use zonotope::numeric::tolerance::NEAREST_POINT_ROUNDING;
 use zonotope::tally::{Operation, Tally};
 use zonotope::zonotope::passes::extreme_sum;
 
+use crate::products::dot;
+
 /// The most steps before giving up.
 pub const STEPS: u32 = 128;
 
@@ -126,8 +128,4 @@ pub fn traced<const D: usize>(
         direction = nearest.map(|v| -v);
     }
     GjkAnswer::GaveUp
-}
-
-fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -4,9 +4,10 @@ use crate::definition::{Case, Verdict};
 use crate::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
 use rivals::by_gjk::{self, GjkAnswer};
+use rivals::simplex::Microlp;
 use zonotope::collision::{Location, Method, Query, Separation, by_linear_program};
 use zonotope::interop::verifier::check_location;
-use zonotope::linear_program::{Clarabel, Engine, Microlp};
+use zonotope::linear_program::{Clarabel, Engine};
 use zonotope::tally::{Operation, OperationCounts, Tally};
 
 /// Near contact on both sides, then clear cases, then exact contact.

@@ -4,8 +4,8 @@ use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Va
 use crate::moving::MovingBodies;
 use crate::moving::soundness::{RESOLUTION, Samples};
 use crate::seed::{self, Digest};
-use zonotope::motion::continuous::rivals::by_hull_of_end_poses::first_meeting_stretch;
-use zonotope::motion::continuous::rivals::by_sampling::first_sampled_contact;
+use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
+use rivals::first_contact::by_sampling::first_sampled_contact;
 use zonotope::motion::continuous::{FirstContact, Method};
 use zonotope::tally::OperationCounts;
 

@@ -5,8 +5,8 @@
 //! rounding, that they do not meet in it; else the interval is halved.
 
 use families::motions::MotionFamily;
-use zonotope::motion::continuous::rivals::by_hull_of_end_poses::first_meeting_stretch;
-use zonotope::motion::continuous::rivals::by_sampling::first_sampled_contact;
+use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
+use rivals::first_contact::by_sampling::first_sampled_contact;
 use zonotope::motion::continuous::{FirstContact, Method};
 
 use super::MovingBodies;

@@ -6,7 +6,8 @@ use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::solid::{self, Camera, Face, faces_of};
 use crate::style::{Color, ENCLOSING, FOCUS, GREY, INK, INPUT, PALE, Paint, Stroke, text_size, weight};
-use zonotope::zonotope::{Zonotope, named};
+use families::bodies::named;
+use zonotope::zonotope::Zonotope;
 
 /// Well-known zonohedra.
 pub const FIGURE: Figure = Figure {
@@ -29,7 +30,7 @@ const ZONES: [Color; 3] = [FOCUS, ENCLOSING, INPUT];
 const FEW_GENERATORS: usize = 5;
 
 fn bodies() -> [(&'static str, Zonotope<3>); 9] {
-    [
+    let generators = [
         ("cube", named::cube()),
         ("hexagonal prism", named::hexagonal_prism()),
         ("rhombic dodecahedron", named::rhombic_dodecahedron()),
@@ -39,7 +40,10 @@ fn bodies() -> [(&'static str, Zonotope<3>); 9] {
         ("rhombic triacontahedron", named::rhombic_triacontahedron()),
         ("rhombic enneacontahedron", named::rhombic_enneacontahedron()),
         ("polar zonohedron of 8", named::polar_zonohedron(8, 0.6)),
-    ]
+    ];
+    generators.map(|(name, generators)| {
+        (name, Zonotope::new([0.0; 3], generators).expect("coordinates of named bodies are finite"))
+    })
 }
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {

@@ -137,7 +137,7 @@ fn half_difference<const D: usize>(point: [f64; D], origin: [f64; D]) -> [f64; D
 #[cfg(test)]
 mod tests {
     use super::*;
-    use zonotope::zonotope::named;
+    use families::bodies::named;
 
     fn moved(body: &Zonotope<3>, factor: f64, by: [f64; 3]) -> Zonotope<3> {
         let center = std::array::from_fn(|i| factor * (body.center()[i] + by[i]));
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn a_picture_does_not_depend_on_the_place_and_the_unit_of_all() {
-        let body = named::truncated_octahedron();
+        let body = Zonotope::new([0.0; 3], named::truncated_octahedron()).expect("finite");
         let picture = |factor: f64, by: [f64; 3]| {
             let pair = [moved(&body, factor, by), moved(&body, factor, [by[0] + 8.0, by[1], by[2]])];
             in_space("Two zonotopes", "apart", &pair, &[by.map(|c| factor * c)])

@@ -5,12 +5,13 @@
 use dashu_ratio::RBig;
 use families::drawn::bodies::families;
 use proptest::prelude::*;
+use rivals::simplex::Microlp;
 use tests::body_questions::{Asked, asked};
 use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
 use zonotope::collision::{Gauge, Method, brute_force};
 use zonotope::interop::verifier::check_location;
-use zonotope::linear_program::{Clarabel, Engine, Microlp};
+use zonotope::linear_program::{Clarabel, Engine};
 use zonotope::numeric::dyadic::Dyadic;
 
 /// The questions of a long run for each of the fourteen families, by dimension: 23,100 in all.

@@ -1,8 +1,9 @@
-//! The face lattice, the counts and the vertices and facets by recursion against the twin, on all families of bodies.
+//! The face lattice, the counts and the vertices and facets by recursion against the twin, on all families of bodies,
+//! and against the books.
 
 use std::collections::BTreeSet;
 
-use families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
+use families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES, named};
 use tests::runner;
 use zonotope::zonotope::faces::SignVector;
 use zonotope::zonotope::faces::brute_force::faces_by_dimension;
@@ -107,4 +108,43 @@ fn many_generators_keep_the_laws_of_polytopes() {
         assert_eq!(counts.vertices as usize, lattice.vertex_count(), "{}", family.id);
         assert_eq!(counts.edges as usize, lattice.edge_count(), "{}", family.id);
     }
+}
+
+fn zonohedron(generators: Vec<[f64; 3]>) -> Zonotope<3> {
+    Zonotope::new([0.0; 3], generators).expect("finite")
+}
+
+fn check_named(generators: Vec<[f64; 3]>, counts: [usize; 3], facet_sizes: &[(usize, u64)]) {
+    let body = zonohedron(generators);
+    let Ok(Faces::Solid(lattice)) = faces(&body, &mut ()) else { unreachable!("named bodies are solid") };
+    assert_eq!([lattice.vertex_count(), lattice.edge_count(), lattice.facet_count()], counts);
+    let counted = combinatorics(&body);
+    assert_eq!([counted.vertices, counted.edges, counted.facets], counts.map(|count| count as u64));
+    assert_eq!(counted.facet_sizes.into_iter().collect::<Vec<_>>(), facet_sizes);
+}
+
+#[test]
+fn counts_are_those_of_the_books() {
+    check_named(named::cube(), [8, 12, 6], &[(4, 6)]);
+    check_named(named::hexagonal_prism(), [12, 18, 8], &[(4, 6), (6, 2)]);
+    check_named(named::rhombic_dodecahedron(), [14, 24, 12], &[(4, 12)]);
+    check_named(named::elongated_dodecahedron(), [18, 28, 12], &[(4, 8), (6, 4)]);
+    check_named(named::truncated_octahedron(), [24, 36, 14], &[(4, 6), (6, 8)]);
+    check_named(named::truncated_cuboctahedron(), [48, 72, 26], &[(4, 12), (6, 8), (8, 6)]);
+    check_named(named::rhombic_triacontahedron(), [32, 60, 30], &[(4, 30)]);
+    check_named(named::rhombic_enneacontahedron(), [92, 180, 90], &[(4, 90)]);
+    for n in 3..20 {
+        let f = n * (n - 1);
+        check_named(named::polar_zonohedron(n as u32, 0.7), [f + 2, 2 * f, f], &[(4, f as u64)]);
+    }
+}
+
+#[test]
+fn volumes_are_those_of_the_books() {
+    let volume = |generators| zonohedron(generators).exact_volume().to_f64();
+    assert_eq!(volume(named::cube()), 8.0);
+    // edges of length a = 2 √3: 16 √3 a³ / 9
+    assert_eq!(volume(named::rhombic_dodecahedron()), 128.0);
+    // edges of length a = 2 √2: 8 √2 a³
+    assert_eq!(volume(named::truncated_octahedron()), 256.0);
 }

@@ -6,13 +6,14 @@
 use dashu_ratio::RBig;
 use families::drawn::directions::Instance;
 use proptest::prelude::*;
+use rivals::simplex::Microlp;
 use tests::kernel_twin::exactly;
 use zonotope::enclosing::fixed_directions::{
     Enclosure, FixedDirections, FixedDirectionsError, brute_force, min_length_along, papers_program, rational,
     support_form,
 };
 use zonotope::interop::verifier::check_min_length_dirs_at_any_gap;
-use zonotope::linear_program::{Clarabel, Engine, Microlp};
+use zonotope::linear_program::{Clarabel, Engine};
 
 const CASES: u32 = 24;
 

@@ -11,6 +11,7 @@ mod hierarchy;
 mod hull;
 mod in_each_dimension;
 mod kernel;
+mod linear_program;
 mod min_area;
 mod min_total_length;
 mod prepared;

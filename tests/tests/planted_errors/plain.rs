@@ -5,13 +5,13 @@
 use dashu_ratio::RBig;
 use paper_checks::definitions::plane::{self, Point};
 use proptest::prelude::*;
+use rivals::tiling::{tiling, tiling_answer};
 use serde_json::{Value, json};
 use verifier::{
     Fraction, Lad, LadAnswer, Tile, TilingAnswer, TilingEdge, Verdict, check_convex_hull, check_lad, check_tiling,
 };
-use zonotope::arrangement::tiling::tiling;
 use zonotope::hull::convex_hull;
-use zonotope::interop::verifier::{lad_answer, lad_of_forms_answer, tiling_answer};
+use zonotope::interop::verifier::{lad_answer, lad_of_forms_answer};
 use zonotope::lad::of_forms::{self, SpaceLadProblem, WeightedPlane};
 use zonotope::lad::{LadProblem, WeightedLine, minimize};
 

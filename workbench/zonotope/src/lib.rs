@@ -111,7 +111,7 @@
 //! | f(O) | `area` of Z(O); up to a constant the objective of a [`lad::LadProblem`] |
 //! | 𝓐 | the arrangement of the lines of that problem |
 //! | Π, ℓ_i | [`arrangement::DualArrangement`] and its line with the index i |
-//! | 𝒯, T_ij | [`arrangement::tiling::Tiling`] and a tile of it |
+//! | 𝒯, T_ij | [`arrangement::tiling::FacetTiling`] and a tile of it |
 //! | L'_k | [`arrangement::separator::Separator`] |
 //!
 //! # Layers

@@ -13,12 +13,15 @@
 //! | `near_plane_bodies` | nine in ten generators within 1e-6 of a plane |
 //! | `flat_bodies` | all generators exactly in a plane: the body has no interior |
 //! | `wide_scales_bodies` | lengths from 2^-200 to 2^200 |
+//!
+//! [`named`] has zonohedra with names.
 
 mod box_sums;
 mod catalog;
 mod directions;
 mod family;
 mod lengths;
+pub mod named;
 mod planes;
 mod polar;
 mod random;

@@ -4,3 +4,4 @@ mod cutting;
 mod dynamic_hull;
 mod facet_walk;
 mod slope_selection;
+mod tiling;

@@ -33,10 +33,10 @@
 //! # Example
 //! ```
 //! use zonotope::collision::{Query, Status, by_linear_program};
-//! use zonotope::linear_program::Microlp;
+//! use zonotope::linear_program::Clarabel;
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
 //! let question = Query::new([0.0, 0.0], [2.0, 0.5], &square).unwrap();
-//! let answer = by_linear_program::locate(&question, &Microlp);
+//! let answer = by_linear_program::locate(&question, &Clarabel);
 //! assert_eq!(answer.location().unwrap().status(), Status::Outside);
 //! ```
 
@@ -117,6 +117,3 @@ impl ScaledProgram {
         finite.then(|| std::array::from_fn(|axis| Dyadic::from_f64(multipliers[axis]).scaled(-self.axes[axis])))
     }
 }
-
-#[cfg(test)]
-mod tests;

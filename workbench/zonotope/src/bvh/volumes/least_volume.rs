@@ -74,7 +74,7 @@ fn contained(points: &[[f64; 3]], fitted: &Fitted) -> Option<Zonotope<3>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::zonotope::named::{cube, rhombic_dodecahedron};
+    use families::bodies::named::{cube, rhombic_dodecahedron};
 
     /// The least volume over that of a body itself, around its vertices.
     fn least_ratio(body: &Zonotope<3>, count: usize) -> f64 {
@@ -95,7 +95,9 @@ mod tests {
 
     #[test]
     fn zonotopes_are_found_again_and_none_is_smaller() {
-        for (body, count) in [(cube(), 3), (cube(), 5), (rhombic_dodecahedron(), 4), (rhombic_dodecahedron(), 6)] {
+        let bodies = [(cube(), 3), (cube(), 5), (rhombic_dodecahedron(), 4), (rhombic_dodecahedron(), 6)];
+        for (generators, count) in bodies {
+            let body = Zonotope::new([0.0; 3], generators).expect("finite");
             let ratio = least_ratio(&body, count);
             assert!((1.0..1.01).contains(&ratio), "{count}: {ratio}");
         }

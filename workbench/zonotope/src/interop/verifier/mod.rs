@@ -11,7 +11,6 @@
 //! | [`check_lad`] | [`lad`](crate::lad): least absolute deviations by lines in the plane |
 //! | [`check_lad_of_forms`] | [`lad::of_forms`](crate::lad::of_forms): the same in three variables |
 //! | [`check_convex_hull`] | [`hull`](crate::hull) |
-//! | [`check_tiling`] | [`arrangement::tiling`](crate::arrangement::tiling) |
 //! | [`check_min_area`], [`check_exact_min_area`] | [`enclosing::min_area_zonogon`](crate::enclosing::min_area_zonogon) |
 //! | [`check_min_length_dirs`] and two that check less | [`enclosing::fixed_directions`](crate::enclosing::fixed_directions) |
 //! | [`check_min_length_all`] and one that checks less | [`enclosing::min_total_length`](crate::enclosing::min_total_length) |
@@ -36,7 +35,6 @@ mod lad;
 mod min_area;
 mod min_length;
 mod motion;
-mod tiling;
 
 pub use collision::{check_distance, check_location, displaced, distance_answer, location_answer};
 pub use fixed_directions::{check_min_length_dirs, check_min_length_dirs_at_any_gap, check_min_length_dirs_bounds};
@@ -45,7 +43,6 @@ pub use lad::{check_lad, check_lad_of_forms, lad_answer, lad_of_forms_answer};
 pub use min_area::{check_exact_min_area, check_min_area};
 pub use min_length::{check_min_length_all, check_min_length_all_at_any_ratio};
 pub use motion::{check_first_contact, first_contact_answer};
-pub use tiling::{check_tiling, tiling_answer};
 
 use ::verifier::Fraction;
 

@@ -12,7 +12,6 @@
 //! | [`by_space_time_volumes`] | encloses the swept volumes, as the paper does |
 //! | [`of_meshes`] | descends pairs of nodes over two meshes, with the same proofs |
 //! | [`brute_force`] | the truth at one rational time: placements and gaps in rationals |
-//! | [`rivals`] | what is done elsewhere and proves nothing |
 //!
 //! The files are read in this order: `parts/body`, `gap` (two bodies on a stretch, and the polynomial below their gap),
 //! `doubles`, `parts/margin`, `moving`, `meeting`, `scene` (the questions at one time), `simplex_search`; then
@@ -38,7 +37,6 @@ mod moving;
 pub mod of_meshes;
 mod ordinary_sizes;
 mod parts;
-pub mod rivals;
 mod scene;
 mod simplex_search;
 #[cfg(test)]

@@ -11,8 +11,8 @@ use crate::motion::{KeyPose, Motion, MotionPiece};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::euclidean_norm;
 use crate::zonotope::Zonotope;
-use crate::zonotope::named;
 use crate::zonotope::pose::Pose;
+use families::bodies::named;
 use proptest::prelude::*;
 
 /// Numbers t of placements of a sweep: half of the angle has the tangent t |axis|, and the angle is not above that of
@@ -113,9 +113,13 @@ fn what_turns_may_be_small_beside_the_axis() {
     }
 }
 
+fn cube() -> Zonotope<3> {
+    Zonotope::new([0.0; 3], named::cube()).expect("finite")
+}
+
 #[test]
 fn a_translation_alone_is_exact() {
-    let cube = named::cube();
+    let cube = cube();
     for method in Method::ALL {
         let moved = method.volume(&sweep([0.0; 3], [1.0; 3], 0.0, [10.0, 0.0, 0.0]), &cube).expect("in range");
         let generators = [cube.generators(), &[[5.0, 0.0, 0.0]]].concat();
@@ -126,7 +130,7 @@ fn a_translation_alone_is_exact() {
 #[test]
 fn the_theorem_adds_three_generators() {
     let volume = Method::default()
-        .volume(&sweep([0.0; 3], [0.0, 0.0, 7.0], PI / 2.0, [0.0, 0.0, 4.0]), &named::cube())
+        .volume(&sweep([0.0; 3], [0.0, 0.0, 7.0], PI / 2.0, [0.0, 0.0, 4.0]), &cube())
         .expect("in range");
     assert_eq!((volume.center(), volume.generators().len()), ([0.0, 0.0, 2.0], 6));
     assert_eq!(volume.generators()[3], [0.0, 0.0, 2.0]);
@@ -238,7 +242,7 @@ fn excess(method: Method, sweep: &Sweep, body: &Zonotope<3>) -> f64 {
             image(body, &motion.pose_at(f64::from(i) / 128.0).expect("in range"))
         })
         .collect();
-    let directions = named::polar_zonohedron(31, 0.7).generators().to_vec();
+    let directions = named::polar_zonohedron(31, 0.7);
     let (mut beyond, mut whole) = (0.0, 0.0);
     for u in directions.iter().flat_map(|u| [*u, u.map(|c| -c)]) {
         let from_middle = |height: f64| height - crate::numeric::linear::dot(&u, &middle);

@@ -1,7 +1,8 @@
 //! Exports read back: the same vertices, the same polygons, outward normals.
 
+use crate::zonotope::Zonotope;
 use crate::zonotope::faces::{FaceLattice, Faces, Facet, faces};
-use crate::zonotope::{Zonotope, named};
+use families::bodies::named;
 
 fn lattice(body: &Zonotope<3>) -> FaceLattice {
     match faces(body, &mut ()).expect("few directions") {
@@ -11,9 +12,11 @@ fn lattice(body: &Zonotope<3>) -> FaceLattice {
 }
 
 fn bodies() -> Vec<Zonotope<3>> {
-    let prism = Zonotope::new([1e-300, 0.1, 1e300], named::hexagonal_prism().generators().to_vec()).expect("finite");
+    let prism = Zonotope::new([1e-300, 0.1, 1e300], named::hexagonal_prism()).expect("finite");
     let flat = Zonotope::new([0.1; 3], vec![[1.0, 2.0, 3.0], [0.3, 0.2, 0.1], [-1.0, 1.0, 0.0]]).expect("finite");
-    vec![named::cube(), named::truncated_cuboctahedron(), named::rhombic_triacontahedron(), prism, flat]
+    let named = [named::cube(), named::truncated_cuboctahedron(), named::rhombic_triacontahedron()];
+    let named = named.map(|generators| Zonotope::new([0.0; 3], generators).expect("finite"));
+    named.into_iter().chain([prism, flat]).collect()
 }
 
 fn polygons(lattice: &FaceLattice) -> Vec<Vec<u32>> {

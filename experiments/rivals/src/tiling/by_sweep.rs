@@ -35,7 +35,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::arrangement::tiling::tiling;
+//! use rivals::tiling::tiling;
 //! // The diagonals of a cube, one longer: two pairs have parallel projections, so 4 of the 6 pairs have a tile.
 //! let generators = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.5]];
 //! let tiling = tiling(&generators).unwrap();
@@ -43,12 +43,18 @@
 //! ```
 
 use super::{Corner, CornerIndex, Edge, EdgeIndex, Tile, TileIndex, Tiling, TilingError};
-use crate::arrangement::dual::{DualArrangement, Upward};
-use crate::numeric::Rational;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{cross, exact, is_zero};
+use zonotope::arrangement::DualArrangement;
+use zonotope::arrangement::separator::separator;
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
 
-/// Where the lines of two upward generators cross.
+/// A generator turned to point up: y > 0, else x < 0, else z > 0.
+struct Upward {
+    generator: usize,
+    vector: [f64; 3],
+}
+
+/// The point at which the lines of two upward generators cross.
 struct Crossing {
     point: [Rational; 2],
     steps: [usize; 2],
@@ -60,25 +66,45 @@ struct Crossing {
 /// [`TilingError`] when a coordinate is not finite or the generators are not in general position.
 pub fn tiling(generators: &[[f64; 3]]) -> Result<Tiling, TilingError> {
     let dual = DualArrangement::new(generators)?;
-    refuse_parallel(&dual)?;
+    let left_side = separator(&dual, 0, 0, &mut ()).expect("every tiling has a left side");
+    let upward = |generator: usize| Upward::of(generators, generator);
     // the steps of the left side of Q from the top; a line that leans to the left meets the vertical lines far below
-    let places = dual.lines().order_before_all();
-    let steps: Vec<&Upward> =
-        places.iter().rev().map(|&place| &dual.slanted[place as usize]).chain(&dual.level).collect();
+    let steps: Vec<Upward> = left_side.generators.into_iter().map(upward).collect();
+    let is_pole = |vector: &[f64; 3]| vector[0] == 0.0 && vector[1] == 0.0 && vector[2] != 0.0;
+    let poles: Vec<Upward> = (0..generators.len()).map(upward).filter(|pole| is_pole(&pole.vector)).collect();
+    refuse_parallel([&steps, &poles])?;
     let crossings = crossings(&steps)?;
-    let mut sweep = Sweep::start(&dual, &steps);
+    let mut sweep = Sweep::start(&steps, &poles);
     for crossing in crossings {
         sweep.pass(crossing, &steps);
     }
     Ok(sweep.tiling)
 }
 
-fn refuse_parallel(dual: &DualArrangement) -> Result<(), TilingError> {
-    let is_parallel = |a: &Upward, b: &Upward| is_zero(&cross(&exact(a.vector), &exact(b.vector)));
-    // equal lines are neighbours in the order of places, and so are equal vertical ones
-    let pairs = [&dual.slanted, &dual.level, &dual.poles].into_iter().flat_map(|run| run.windows(2));
-    let parallel = pairs.filter(|pair| is_parallel(&pair[0], &pair[1])).map(|pair| {
-        let [a, b] = [pair[0].generator as usize, pair[1].generator as usize];
+impl Upward {
+    fn of(generators: &[[f64; 3]], generator: usize) -> Self {
+        let vector = generators[generator];
+        let [x, y, z] = vector;
+        let is_reversed = y < 0.0 || (y == 0.0 && (x > 0.0 || (x == 0.0 && z < 0.0)));
+        Self { generator, vector: if is_reversed { vector.map(|c| -c) } else { vector } }
+    }
+
+    fn exact(&self) -> [Dyadic; 3] {
+        self.vector.map(Dyadic::from_f64)
+    }
+
+    /// The cross product with another one.
+    fn cross(&self, other: &Self) -> [Dyadic; 3] {
+        let ([a, b, c], [x, y, z]) = (self.exact(), other.exact());
+        [&b * &z - &c * &y, &c * &x - &a * &z, &a * &y - &b * &x]
+    }
+}
+
+fn refuse_parallel(runs: [&[Upward]; 2]) -> Result<(), TilingError> {
+    // equal lines are neighbours on the left side
+    let pairs = runs.into_iter().flat_map(|run| run.windows(2));
+    let parallel = pairs.filter(|pair| pair[0].cross(&pair[1]).iter().all(Dyadic::is_zero)).map(|pair| {
+        let [a, b] = [pair[0].generator, pair[1].generator];
         [a.min(b), a.max(b)]
     });
     match parallel.min() {
@@ -88,11 +114,11 @@ fn refuse_parallel(dual: &DualArrangement) -> Result<(), TilingError> {
 }
 
 /// The crossings of all pairs, by x and then y.
-fn crossings(steps: &[&Upward]) -> Result<Vec<Crossing>, TilingError> {
+fn crossings(steps: &[Upward]) -> Result<Vec<Crossing>, TilingError> {
     let mut crossings = Vec::new();
     for (j, second) in steps.iter().enumerate() {
         for (i, first) in steps[..j].iter().enumerate() {
-            let [x, y, w] = cross(&exact(first.vector), &exact(second.vector));
+            let [x, y, w] = first.cross(second);
             if !w.is_zero() {
                 let w = w.to_rational();
                 crossings.push(Crossing { point: [x.to_rational() / &w, y.to_rational() / w], steps: [i, j] });
@@ -103,7 +129,7 @@ fn crossings(steps: &[&Upward]) -> Result<Vec<Crossing>, TilingError> {
     let concurrent = crossings.windows(2).filter(|pair| pair[0].point == pair[1].point);
     let generators = concurrent.map(|pair| {
         let lines = pair[0].steps.iter().chain(&pair[1].steps);
-        let mut generators: Vec<usize> = lines.map(|&step| steps[step].generator as usize).collect();
+        let mut generators: Vec<usize> = lines.map(|&step| steps[step].generator).collect();
         generators.sort_unstable();
         generators.dedup();
         [generators[0], generators[1], generators[2]]
@@ -126,11 +152,11 @@ struct Sweep {
 }
 
 impl Sweep {
-    fn start(dual: &DualArrangement, steps: &[&Upward]) -> Self {
-        let all = steps.iter().copied().chain(&dual.poles);
+    fn start(steps: &[Upward], poles: &[Upward]) -> Self {
+        let all = steps.iter().chain(poles);
         let zero = || [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let top = all.fold(zero(), |sum, upward| {
-            let v = exact(upward.vector);
+            let v = upward.exact();
             [0, 1, 2].map(|axis| &sum[axis] + &v[axis])
         });
         let mut sweep = Self {
@@ -139,7 +165,7 @@ impl Sweep {
                 edges: Vec::new(),
                 tiles: Vec::new(),
                 left_side: Vec::new(),
-                left_generators: steps.iter().map(|upward| upward.generator as usize).collect(),
+                left_generators: steps.iter().map(|upward| upward.generator).collect(),
             },
             corners: vec![CornerIndex(0)],
             edges: Vec::new(),
@@ -166,12 +192,12 @@ impl Sweep {
     }
 
     fn edge(&mut self, upward: &Upward, upper: CornerIndex, lower: CornerIndex, left: Option<TileIndex>) -> EdgeIndex {
-        self.tiling.edges.push(Edge { generator: upward.generator as usize, upper, lower, left, right: None });
+        self.tiling.edges.push(Edge { generator: upward.generator, upper, lower, left, right: None });
         EdgeIndex(self.tiling.edges.len() as u32 - 1)
     }
 
     /// Moves the chain over the tile of a crossing.
-    fn pass(&mut self, crossing: Crossing, steps: &[&Upward]) {
+    fn pass(&mut self, crossing: Crossing, steps: &[Upward]) {
         let above = crossing.steps.map(|step| self.position[step]).into_iter().min().expect("two lines cross");
         let [first, second] = [self.order[above], self.order[above + 1]];
         assert!(crossing.steps.contains(&first) && crossing.steps.contains(&second), "neighbours cross");
@@ -181,10 +207,10 @@ impl Sweep {
         for edge in [upper_left, lower_left] {
             self.tiling.edges[edge.0 as usize].right = Some(index);
         }
-        let right = self.corner_below(top, steps[second]);
-        let upper_right = self.edge(steps[second], top, right, Some(index));
-        let lower_right = self.edge(steps[first], right, bottom, Some(index));
-        let mut generators = [first, second].map(|step| steps[step].generator as usize);
+        let right = self.corner_below(top, &steps[second]);
+        let upper_right = self.edge(&steps[second], top, right, Some(index));
+        let lower_right = self.edge(&steps[first], right, bottom, Some(index));
+        let mut generators = [first, second].map(|step| steps[step].generator);
         generators.sort_unstable();
         self.tiling.tiles.push(Tile {
             generators,

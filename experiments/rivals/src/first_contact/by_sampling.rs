@@ -24,8 +24,8 @@
 //!
 //! # Example
 //! ```
+//! use rivals::first_contact::by_sampling::first_sampled_contact;
 //! use zonotope::{Zonotope, motion::Motion};
-//! use zonotope::motion::continuous::rivals::by_sampling::first_sampled_contact;
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
 //! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
 //! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
@@ -33,8 +33,8 @@
 //! assert_eq!(first_sampled_contact([&cube, &other], [&right, &Motion::rest()], 4), Some(0.5));
 //! ```
 
-use crate::motion::Motion;
-use crate::zonotope::Zonotope;
+use zonotope::motion::Motion;
+use zonotope::zonotope::Zonotope;
 
 /// The first of the times 0, 1/`steps`, …, 1 at which the bodies meet. A placement that leaves the range of doubles
 /// meets nothing.

@@ -3,8 +3,8 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-use zonotope::motion::continuous::rivals::by_hull_of_end_poses::first_meeting_stretch;
-use zonotope::motion::continuous::rivals::by_sampling::first_sampled_contact;
+use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
+use rivals::first_contact::by_sampling::first_sampled_contact;
 use zonotope::motion::continuous::{FirstContact, first_contact};
 use zonotope::motion::{Motion, MotionPiece};
 use zonotope::zonotope::Zonotope;

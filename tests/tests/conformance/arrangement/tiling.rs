@@ -1,11 +1,17 @@
-//! The isomorphism of Figure 1 on random and structured bodies; the separators; what is refused.
+//! The swept tiling: the isomorphism of Figure 1 on random and structured bodies, the separators, what is refused. It
+//! is the tiling by the facets of the upper hull, too.
 
 use proptest::prelude::*;
+use rivals::tiling::{TileIndex, TilingError, check_tiling, tiling};
+use zonotope::Zonotope;
+use zonotope::arrangement::DualArrangement;
+use zonotope::arrangement::separator::separator;
+use zonotope::arrangement::tiling::by_face_lattice::{FacetTile, facet_tiling};
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
 
-use super::*;
-use crate::arrangement::DualArrangement;
-use crate::arrangement::separator::separator;
-use crate::interop::verifier::check_tiling;
+/// The bodies of a long run, for each property.
+const CASES: u32 = 300;
 
 type Vector = [f64; 3];
 
@@ -29,13 +35,13 @@ fn check(generators: &[Vector]) -> Result<(), TestCaseError> {
     };
     prop_assert_eq!(check_tiling(generators, &tiling).proof().map(drop), Ok(()));
     let dual = DualArrangement::new(generators).expect("finite");
-    prop_assert_eq!(dual.lines().vertex_count(), tiling.tiles.len() as u64);
-    for k in 0..=tiling.tiles.len() {
+    prop_assert_eq!(dual.lines().vertex_count(), tiling.tiles().len() as u64);
+    for k in 0..=tiling.tiles().len() {
         let chain = tiling.separator(k).expect("there are k tiles");
         let points: Vec<[Dyadic; 2]> = chain
             .iter()
             .map(|&corner| {
-                let [x, y, _] = tiling.vertices[corner.0 as usize].exact_point.clone();
+                let [x, y, _] = tiling.vertices()[corner.0 as usize].exact_point.clone();
                 [x, y]
             })
             .collect();
@@ -43,7 +49,7 @@ fn check(generators: &[Vector]) -> Result<(), TestCaseError> {
         prop_assert_eq!(&selected.exact_points, &points, "k = {}", k);
         prop_assert_eq!(Some(selected.generators), tiling.separator_generators(k), "k = {}", k);
     }
-    prop_assert_eq!(tiling.separator(tiling.tiles.len() + 1), None);
+    prop_assert_eq!(tiling.separator(tiling.tiles().len() + 1), None);
     Ok(())
 }
 
@@ -51,8 +57,8 @@ fn generators(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<V
     proptest::collection::vec([coordinate.clone(), coordinate.clone(), coordinate], 0..9)
 }
 
-properties! {
-    #![proptest_config(crate::property_cases::config(300))]
+tests::properties! {
+    CASES;
 
     #[test]
     fn random_bodies(generators in generators(-1.0..1.0f64)) {
@@ -76,6 +82,33 @@ properties! {
         let all: Vec<Vector> =
             generators.into_iter().chain(level).chain(parallel).chain([[0.0, 0.0, f64::from(vertical)]]).collect();
         check(&all)?;
+    }
+
+    #[test]
+    fn in_general_position_the_tiles_are_those_of_the_sweep(
+        generators in proptest::collection::vec([-999i32..1000, -999i32..1000, -999i32..1000], 2..8),
+    ) {
+        let generators: Vec<[f64; 3]> = generators.into_iter().map(|g| g.map(f64::from)).collect();
+        let Ok(swept) = tiling(&generators) else { return Ok(()) };
+        let body = Zonotope::new([0.0; 3], generators).expect("the generators are finite");
+        let by_faces = facet_tiling(&body).expect("there are few generators");
+        let generators_of = |tile: &FacetTile| {
+            let mut all: Vec<usize> =
+                tile.classes.iter().flat_map(|&class| by_faces.classes[class].generators.clone()).collect();
+            all.sort_unstable();
+            all
+        };
+        let expected: Vec<Vec<usize>> = swept.tiles().iter().map(|tile| tile.generators.to_vec()).collect();
+        prop_assert_eq!(by_faces.tiles.iter().map(generators_of).collect::<Vec<_>>(), expected);
+        for k in 0..=swept.tiles().len() {
+            let flat = |[x, y, _]: [f64; 3]| [x, y];
+            let points: Vec<[f64; 2]> =
+                by_faces.separator(k).expect("as many tiles").iter().map(|&v| flat(by_faces.vertices[v])).collect();
+            let chain = swept.separator(k).expect("so many tiles");
+            let expected: Vec<[f64; 2]> =
+                chain.iter().map(|corner| swept.vertices()[corner.0 as usize].point()).collect();
+            prop_assert_eq!(points, expected);
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! First contacts: the stretches and support evaluations that each method takes on nine families of motions, and the
 //! times for random bodies.
 //!
-//! `cargo bench -p zonotope --bench first_contact`; `-- missed 1000000` looks for missed collisions of so many random
+//! `cargo bench -p rivals --bench first_contact`; `-- missed 1000000` looks for missed collisions of so many random
 //! motions instead, and counts those that sampling and the hulls of end poses miss.
 
 use std::hint::black_box;

@@ -1,10 +1,8 @@
-//! The engine microlp: a revised simplex method.
+//! The engine microlp: a revised simplex method, which ends on a basis. The dual values cost a second solution.
 
 use microlp::{ComparisonOp, Error, OptimizationDirection, Problem, Variable};
-
-use super::engine::{Engine, Guess};
-use super::program::{BoundedVariable, LinearProgram, Relation, Row};
-use crate::tally::Tally;
+use zonotope::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+use zonotope::tally::Tally;
 
 /// The crate `microlp`. It does not say the multipliers of its basis, so the dual program is solved as well.
 #[derive(Debug, Clone, Copy, Default)]

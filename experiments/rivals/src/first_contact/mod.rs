@@ -1,4 +1,4 @@
-//! Methods of the field that prove nothing: they are here to show what they miss.
+//! Problem: whether two moving bodies meet, by methods that prove nothing: they are here to show what they miss.
 //!
 //! | file | what it asks |
 //! |---|---|

@@ -26,8 +26,8 @@
 //!
 //! # Example
 //! ```
+//! use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
 //! use zonotope::{Zonotope, motion::Motion};
-//! use zonotope::motion::continuous::rivals::by_hull_of_end_poses::first_meeting_stretch;
 //! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
 //! let other = cube.translated([6.0, 0.0, 0.0]).expect("finite");
 //! let right = Motion::translation([8.0, 0.0, 0.0]).expect("finite");
@@ -35,12 +35,20 @@
 //! assert_eq!(first_meeting_stretch([&cube, &other], [&right, &Motion::rest()], 3), Some(1.0 / 3.0));
 //! ```
 
-use crate::motion::Motion;
-use crate::motion::continuous::simplex_search::{Lowest, Outcome, search};
-use crate::numeric::lanes::extreme_sum;
-use crate::numeric::linear::dot;
-use crate::zonotope::Zonotope;
-use crate::zonotope::pose::Pose;
+use zonotope::Pose;
+use zonotope::collision::distance::NearestSimplex;
+use zonotope::motion::Motion;
+use zonotope::zonotope::Zonotope;
+use zonotope::zonotope::passes::extreme_sum;
+
+use crate::products::dot;
+
+/// Steps of a search; hulls with a gap take a few, and where there is none the simplex is soon full.
+const STEP_LIMIT: usize = 24;
+
+/// The search ends where the nearest point is within this share of the farthest vertex, as squares: the hulls touch to
+/// rounding.
+const RELATIVE_DISTANCE: f64 = 1e-28;
 
 /// The begin of the first of so many equal stretches on which the hulls of the bodies at both ends meet.
 pub fn first_meeting_stretch(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], stretches: u32) -> Option<f64> {
@@ -57,13 +65,26 @@ pub fn first_meeting_stretch(bodies: [&Zonotope<3>; 2], motions: [&Motion; 2], s
 
 /// Whether no direction is found that separates the hulls.
 fn hulls_meet([a, b]: [&Zonotope<3>; 2], [p, q]: [&[Pose; 2]; 2]) -> bool {
-    let found = search(&[[1.0, 0.0, 0.0]], 0.0, |u| {
+    let mut u = [1.0, 0.0, 0.0];
+    let mut simplex = NearestSimplex::<3>::new();
+    for _ in 0..STEP_LIMIT {
         // the point of the difference of the hulls that is least along u
-        let (near, far) = (farthest(b, q, &u.map(|c| -c)), farthest(a, p, u));
+        let (near, far) = (farthest(b, q, &u.map(|c| -c)), farthest(a, p, &u));
         let point = [0, 1, 2].map(|k| near[k] - far[k]);
-        Lowest { point, is_found: dot(u, &point) > 0.0 }
-    });
-    !matches!(found, Outcome::Found(_))
+        if dot(&u, &point) > 0.0 {
+            return false;
+        }
+        if simplex.has_vertex(&point) {
+            return true;
+        }
+        let Some(nearest) = simplex.add(point) else { return true };
+        let square = dot(&nearest, &nearest);
+        if simplex.is_full() || square.is_nan() || square <= RELATIVE_DISTANCE * simplex.largest_square() {
+            return true;
+        }
+        u = nearest;
+    }
+    true
 }
 
 /// The point of a body at two poses that is farthest along a direction.

@@ -1,15 +1,15 @@
-//! Tilings.
+//! A tiling as the plain numbers that the crate `verifier` checks.
 
-use ::verifier::{Fraction, Tile, TilingAnswer, TilingEdge, TilingProof, Verdict};
+use verifier::{Fraction, Tile, TilingAnswer, TilingEdge, TilingProof, Verdict};
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
 
-use super::fraction;
-use crate::arrangement::tiling::{CornerIndex, Tiling};
-use crate::numeric::dyadic::Dyadic;
+use super::{CornerIndex, Tiling};
 
 /// Checks a tiling, but for the generators along its left side and how many edges a separator has above a tile.
 pub fn check_tiling(generators: &[[f64; 3]], tiling: &Tiling) -> Verdict<TilingProof> {
     let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
-    ::verifier::check_tiling(&generators, &tiling_answer(tiling))
+    verifier::check_tiling(&generators, &tiling_answer(tiling))
 }
 
 /// The tiling as the verifier takes it.
@@ -41,4 +41,9 @@ pub fn tiling_answer(tiling: &Tiling) -> TilingAnswer {
             .collect(),
         left_side: tiling.left_side().iter().map(|&corner| vertex(corner)).collect(),
     }
+}
+
+/// A rational number as the verifier takes it.
+fn fraction(number: &Rational) -> Fraction {
+    Fraction::new(number.numerator().clone(), number.denominator().clone()).expect("a denominator is positive")
 }

@@ -1,15 +1,15 @@
-//! Questions that the engines must answer, and ones that they need not.
+//! Questions of membership that the engines must answer, and ones that they need not.
 
-use super::*;
-use crate::collision::brute_force;
-use crate::interop::verifier::check_location;
-use crate::linear_program::{Clarabel, Microlp};
+use zonotope::collision::by_linear_program::{Answer, locate};
+use zonotope::collision::{Query, brute_force};
+use zonotope::interop::verifier::check_location;
+
+use super::ENGINES;
 
 fn check<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> Vec<Answer<D>> {
     let question = Query::new([0.0; D], to, generators).expect("finite");
     let truth = brute_force::locate(&question);
-    let engines: [&dyn Engine; 2] = [&Clarabel, &Microlp];
-    let answers = engines.map(|engine| locate(&question, engine));
+    let answers = ENGINES.map(|engine| locate(&question, engine));
     for answer in &answers {
         assert!(answer.is_member().is_none_or(|member| member == truth.is_member()), "{answer:?}");
         if let Some(location) = answer.location() {
