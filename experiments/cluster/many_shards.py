@@ -4,10 +4,10 @@
     cargo build --release -p experiments --example cases_of_a_run
     python3 experiments/cluster/many_shards.py target/release [SHARDS [EXPERIMENT]]
 
-The experiment (`hull-scaling`, if none is named; `all`: every one) is run in the quick profile, and each case of the full
-profile gets the record of a case of the same family and variant, or of any where there is none: what `merge` writes is
-as long as after a real run, and says nothing. The work that the shards name is that of the program, which begins one of
-them and is stopped.
+The experiment (`hull-scaling`, if none is named; `all`: every one) is run in the quick profile, and each case of the
+full profile gets the record of a case of the same family and variant, or of any where there is none: what `merge`
+writes is as long as after a real run, and says nothing. The work that the shards name is that of the program, which
+begins one of them and is stopped.
 """
 
 from __future__ import annotations
