@@ -7,7 +7,8 @@
 # 300 seconds in all and every target, when nothing is said. It needs Rust and a C++ compiler. What was learned before is
 # in corpus/, what this run learns in target/corpus/; with KEEP=1 the inputs that reach most are put into corpus/. An
 # input that panics, takes more than 20 seconds or 4 GB is a file in target/finds/, and the script ends with 1: every find
-# becomes a test.
+# becomes a test. Most of the time goes to telling the fuzzer the operands of comparisons, from which it learns words and
+# numbers of a format; COMPARES=0 leaves them out, for many executions from a corpus that knows the words already.
 #
 # A stable toolchain is enough: the counters of branches come from a pass of the compiler that needs no nightly flag, and
 # there is no unsafe code of which the addresses would have to be watched. `cargo fuzz run TARGET` works as well.
@@ -20,7 +21,9 @@ targets=("$@")
 
 host=$(rustc -vV | sed -n 's/^host: //p')
 counters=(-Cpasses=sancov-module)
-for option in level=4 inline-8bit-counters pc-table trace-compares; do
+options=(level=4 inline-8bit-counters pc-table)
+[ "${COMPARES:-1}" = 0 ] || options+=(trace-compares)
+for option in "${options[@]}"; do
   counters+=("-Cllvm-args=-sanitizer-coverage-$option")
 done
 # The host is named so that build scripts, which no fuzzer runs, are left without counters.
