@@ -82,4 +82,13 @@ mod tests {
         let flat = [vec![1.0, 0.0], vec![2.0, 0.0]];
         assert!(cost_of_rounding(&flat, &[1.0; 2], &[4.0, 1.0]).is_none());
     }
+
+    #[test]
+    fn a_gap_is_beyond_rounding_where_it_is_more_than_what_is_allowed() {
+        let [cost, of_value] = [2.0, 0.5].map(Proportion::of_double);
+        let is_beyond = |gap: f64, cost| is_beyond(&Proportion::of_double(gap), cost, 3.0, &of_value);
+        assert!(is_beyond(6.5_f64.next_up(), Some(cost.clone())));
+        assert!(!is_beyond(6.5, Some(cost)));
+        assert!(!is_beyond(1e300, None), "a cost that is not known is beyond no gap");
+    }
 }

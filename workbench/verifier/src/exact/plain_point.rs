@@ -78,4 +78,29 @@ mod tests {
         assert_eq!(side([0.0, 0.0], [tiny, 0.0], [0.0, tiny]), Ordering::Greater);
         assert_eq!(side([-f64::MAX, 0.0], [f64::MAX, 0.0], [0.0, -f64::MAX]), Ordering::Less);
     }
+
+    /// Points around the diagonal, a few units in the last place beside it: most turns are rounded to a wrong sign.
+    #[test]
+    fn sides_of_points_beside_a_line_are_those_of_whole_numbers() {
+        let line = [[12.0, 12.0], [24.0, 24.0]];
+        let mut wrong = 0;
+        for (i, j) in (0..64_u64).flat_map(|i| (0..64_u64).map(move |j| (i, j))) {
+            let p = [i, j].map(|steps| f64::from_bits(0.5_f64.to_bits() + steps));
+            let grid = Grid::of([line[0], line[1], p].concat());
+            let exact = Corner::side(&grid.point(line[0]), &grid.point(line[1]), &grid.point(p));
+            let [a, b, p] = [line[0], line[1], p].map(PlainPoint::new);
+            assert_eq!(PlainPoint::side(&a, &b, &p), exact, "{i} {j}");
+            let turn = (line[0][0] - p.0[0]) * (line[1][1] - p.0[1]) - (line[0][1] - p.0[1]) * (line[1][0] - p.0[0]);
+            wrong += usize::from(turn.partial_cmp(&0.0) != Some(exact));
+        }
+        assert!(wrong > 100, "{wrong}");
+    }
+
+    #[test]
+    fn points_are_equal_where_their_coordinates_are() {
+        let p = PlainPoint::new([1.0, -0.0]);
+        assert_eq!(p, PlainPoint::new([1.0, 0.0]));
+        assert_ne!(p, PlainPoint::new([1.0, f64::from_bits(1)]));
+        assert_ne!(p, PlainPoint::new([1.0_f64.next_up(), 0.0]));
+    }
 }

@@ -87,4 +87,25 @@ mod tests {
         let all: IBig = edges.iter().map(|(_, reach)| reach).sum();
         assert_eq!(all, turns(vectors) * 2);
     }
+
+    /// Vectors beside each other by a unit, with more digits than a double.
+    #[test]
+    fn vectors_that_are_almost_parallel_are_in_the_order_of_their_angles() {
+        let base = IBig::ONE << 62;
+        let vectors: Vec<Vector> = (0..40)
+            .map(|i: i64| {
+                let v = vec![&base + IBig::from(i * 37 % 11), &base + IBig::from(i * 17 % 13)];
+                if i % 3 == 0 { v.into_iter().map(|x| -x).collect() } else { v }
+            })
+            .chain([vec![-&base, IBig::ZERO], vec![base.clone(), -IBig::ONE], vec![IBig::ONE, IBig::ZERO]])
+            .collect();
+        let sorted = by_angle(vectors.clone());
+        assert_eq!(sorted.len(), vectors.len());
+        for (at, a) in sorted.iter().enumerate() {
+            assert!(a[1] > IBig::ZERO || a[1] == IBig::ZERO && a[0] > IBig::ZERO, "they are turned upward");
+            assert!(sorted[at + 1..].iter().all(|b| turn(a, b) >= IBig::ZERO), "{sorted:?}");
+        }
+        let pairs = vectors.iter().enumerate().flat_map(|(at, a)| vectors[at + 1..].iter().map(move |b| (a, b)));
+        assert_eq!(turns(vectors.clone()), pairs.map(|(a, b)| turn(a, b).abs()).sum::<IBig>());
+    }
 }
