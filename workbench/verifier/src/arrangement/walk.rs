@@ -110,4 +110,55 @@ mod tests {
         let more = [&cube[..], &[vec![1.0, 1.0, 1.0]]].concat();
         assert!(!check_walk(&more, (0, 1, 1), &sides).is_right());
     }
+
+    /// The sums of generators that are the corners of a facet.
+    fn corners(generators: &[[f64; 3]], (first, second, sign): FacetTriple) -> Vec<[i64; 3]> {
+        let whole = |index: usize| generators[index].map(|x| x as i64);
+        let ([ax, ay, az], [bx, by, bz]) = (whole(first), whole(second));
+        let normal = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx].map(|x| x * sign);
+        let mut corners = Vec::new();
+        for (of_first, of_second) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+            let mut sum = [0; 3];
+            for index in 0..generators.len() {
+                let g = whole(index);
+                let along: i64 = normal.iter().zip(g).map(|(u, x)| u * x).sum();
+                let factor = if index == first {
+                    of_first
+                } else if index == second {
+                    of_second
+                } else {
+                    along.signum()
+                };
+                sum = std::array::from_fn(|axis| sum[axis] + factor * g[axis]);
+            }
+            corners.push(sum);
+        }
+        corners
+    }
+
+    /// The facets that have two corners in common with one are its neighbours, and no others.
+    #[test]
+    fn neighbours_have_two_corners_in_common() {
+        let body = [[7.0, 1.0, 2.0], [-1.0, 5.0, 3.0], [2.0, -3.0, 6.0], [4.0, 4.0, -5.0], [-6.0, 2.0, 1.0]];
+        let plain = body.map(|g| g.to_vec());
+        let pairs = (0..5).flat_map(|second| (0..second).map(move |first| (first, second)));
+        let facets: Vec<FacetTriple> = pairs.flat_map(|(i, j)| [(i, j, 1), (i, j, -1)]).collect();
+        for &facet in &facets {
+            let own = corners(&body, facet);
+            let is_beside = |other: &FacetTriple| {
+                *other != facet && corners(&body, *other).iter().filter(|corner| own.contains(corner)).count() == 2
+            };
+            let (neighbours, others): (Vec<FacetTriple>, Vec<FacetTriple>) = facets.iter().partition(|&f| is_beside(f));
+            assert_eq!(neighbours.len(), 4);
+            assert!(check_walk(&plain, facet, &neighbours).is_right(), "{facet:?} {neighbours:?}");
+            for (place, &other) in (0..4).flat_map(|place| others.iter().map(move |other| (place, other))) {
+                let mut wrong = neighbours.clone();
+                wrong[place] = other;
+                assert!(!check_walk(&plain, facet, &wrong).is_right(), "{facet:?} {wrong:?}");
+            }
+        }
+        // generators in one plane with the facet's
+        let flat = [&plain[..4], &[vec![6.0, 6.0, 5.0]]].concat();
+        assert!(!check_walk(&flat, (0, 1, 1), &[(0, 2, 1), (1, 2, 1), (0, 2, -1), (1, 2, -1)]).is_right());
+    }
 }
