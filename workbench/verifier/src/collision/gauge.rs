@@ -283,4 +283,72 @@ mod tests {
         assert!(check(&[1e300], &segment, 1e300, separation(&[1])).is_err());
         assert!(check(&[1e-200], &segment, f64::MAX, separation(&[1])).is_err(), "it is 1e100");
     }
+
+    fn vectors(rows: &[&[i64]]) -> Vec<Vector> {
+        rows.iter().map(|row| row.iter().copied().map(IBig::from).collect()).collect()
+    }
+
+    /// A facet that the vector leaves through tells the gauge, and another one tells nothing: held to all facets.
+    #[test]
+    fn facets_that_are_named_tell_the_gauge_or_nothing() {
+        let bodies = [
+            vectors(&[&[5, 1, 2], &[-1, 4, 3], &[2, -3, 6], &[4, 4, -5], &[-6, 2, 1]]),
+            // three in a plane, two in parallel
+            vectors(&[&[2, 0, 0], &[0, 3, 0], &[1, 1, 0], &[0, 0, 4], &[0, 0, -8]]),
+        ];
+        let points = vectors(&[&[3, 2, 1], &[-7, 20, 4], &[1, 0, 9], &[0, 5, 0], &[40, -3, -2], &[3, 4, 12]]);
+        for generators in &bodies {
+            let pairs = independent(generators, &[4, 2, 0, 1, 3], 2);
+            assert!(pairs.iter().all(|pair| pair.len() == 2) && pairs.len() >= 9, "{pairs:?}");
+            for p in &points {
+                let exact = searched(p, generators).expect("there are few facets");
+                let told: Vec<Proportion> =
+                    pairs.iter().filter_map(|facet| facet_gauge(p, generators, facet)).collect();
+                assert!(!told.is_empty() && told.len() < pairs.len(), "{generators:?} {p:?}");
+                assert!(told.iter().all(|gauge| gauge.compare(&exact).is_eq()), "{generators:?} {p:?}");
+            }
+        }
+        let box_of_three = vectors(&[&[2, 0, 0], &[0, 3, 0], &[0, 0, 4]]);
+        let member = |numerators: &[i64]| {
+            let numerators = numerators.iter().copied().map(IBig::from).collect();
+            Located::Member(Coefficients { numerators, denominator: IBig::from(8) })
+        };
+        let p = &vectors(&[&[1, 0, 2]])[0];
+        let tight = |facet: &[usize], numerators| tight_gauge(p, &box_of_three, facet, &member(numerators));
+        assert!(tight(&[1, 2], &[4, 0, 4]).is_some_and(|gauge| gauge.nearest() == 0.5));
+        assert!(tight(&[1, 2], &[-5, 0, 4]).is_none(), "the coefficients bound the gauge by another number");
+        assert!(tight(&[0, 2], &[4, 0, 4]).is_none(), "the vector lies along the facet");
+    }
+
+    #[test]
+    fn generators_of_the_facet_are_sought_where_the_certificate_points() {
+        let numerators = [5, -1, 0, 3, -4].map(IBig::from).to_vec();
+        let coefficients = Coefficients { numerators, denominator: IBig::from(5) };
+        assert_eq!((freest(&coefficients, 3), freest(&coefficients, 9)), (vec![2, 1, 3], vec![2, 1, 3, 4, 0]));
+        assert_eq!(largest(&coefficients), IBig::from(5));
+        let generators = vectors(&[&[4, 4], &[0, 0], &[-1, 5], &[3, 0], &[6, -7]]);
+        let u = [1, 1].map(IBig::from);
+        assert_eq!(flattest(&generators, &u, 2), [4, 2], "the quotients are 1, 4/6, 1 and 1/13");
+        assert_eq!(flattest(&generators, &u, 9), [4, 2, 0, 3]);
+        assert_eq!(independent(&vectors(&[&[1, 2], &[0, 0], &[2, 4]]), &[2, 1, 0], 1), [[2], [0]]);
+    }
+
+    /// A body in five dimensions with more facets than are gone through: half a vertex, and twice a vertex.
+    #[test]
+    fn figures_against_their_own_certificate_are_wrong_where_no_facet_is_found() {
+        let generators: Vec<Vec<f64>> =
+            (1..=44).map(|t: i64| (0..5).map(|power| (t.pow(power) % 97) as f64 + 1.0).collect()).collect();
+        let sum: Vec<f64> = (0..5).map(|axis| generators.iter().map(|g| g[axis]).sum()).collect();
+        let rows: Vec<&[f64]> = generators.iter().map(Vec::as_slice).collect();
+        let half: Vec<f64> = sum.iter().map(|x| x / 2.0).collect();
+        let member = |gauge| check(&half, &rows, gauge, witness(&[0.5; 44], &[]));
+        let is_open = |answer: Result<f64, String>| answer.is_err_and(|reason| reason.contains("on one side alone"));
+        assert!(is_open(member(0.5)) && is_open(member(0.25)));
+        assert!(member(0.51).is_err_and(|reason| reason.contains("against its own certificate")));
+        let twice: Vec<f64> = sum.iter().map(|x| x * 2.0).collect();
+        let outside = |gauge| check(&twice, &rows, gauge, separation(&[1; 5]));
+        assert!(is_open(outside(2.0)) && is_open(outside(3.0)));
+        assert!(outside(1.99).is_err_and(|reason| reason.contains("against its own certificate")));
+        assert!(outside(f64::INFINITY).is_err_and(|reason| !reason.contains("certificate")));
+    }
 }

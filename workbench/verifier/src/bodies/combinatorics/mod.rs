@@ -303,4 +303,63 @@ mod tests {
         let proof = check_combinatorics(&[vec![0.0, 0.0]], &answer(0, [1, 0, 0], &[], 0));
         assert!(proof.is_right(), "{proof:?}");
     }
+
+    /// Of n generators in general position in R^d a zonotope has 2 C(n, d − 1) facets, each a parallelepiped, twice as
+    /// many vertices as subsets of fewer than d of n − 1, and for each generator as many edges as the projection along
+    /// it has vertices.
+    #[test]
+    fn general_position_in_four_and_five_dimensions() {
+        let moments = |count: i64, dimension: u32| -> Vec<Vec<f64>> {
+            (1..=count).map(|t| (0..dimension).map(|power| t.pow(power) as f64).collect()).collect()
+        };
+        let counted = |generators: &[Vec<f64>]| {
+            let rows: Vec<Vector> =
+                generators.iter().map(|g| g.iter().map(|&x| IBig::from(x as i64)).collect()).collect();
+            counts(generators[0].len(), &directions(&rows), longest(&rows)).expect("there are few faces")
+        };
+        let four = counted(&moments(6, 4));
+        assert_eq!((four.vertices, four.edges), (2 * (1 + 5 + 10 + 10), 6 * 2 * (1 + 4 + 6)));
+        assert_eq!(four.facet_sizes, BTreeMap::from([(8, 2 * 20)]));
+        let five = counted(&moments(7, 5));
+        assert_eq!((five.vertices, five.edges), (2 * (1 + 6 + 15 + 20 + 15), 7 * 2 * (1 + 5 + 10 + 10)));
+        assert_eq!(five.facet_sizes, BTreeMap::from([(16, 2 * 35)]));
+    }
+
+    #[test]
+    fn work_is_counted_before_it_is_begun() {
+        assert_eq!(longest(&[vec![IBig::from(255), IBig::ZERO], vec![IBig::from(-256), IBig::ONE]]), 9);
+        assert_eq!(longest(&[]), 0);
+        assert_eq!((sorted_steps(8, 2), sorted_steps(1, 3), sorted_steps(0, 1)), (64 * 3, 1, 0));
+        assert_eq!(sorted_steps(usize::MAX, 3), u64::MAX);
+        assert!(is_quick(MOST_STEPS, 0) && is_quick(MOST_STEPS, 191) && !is_quick(MOST_STEPS + 1, 191));
+        // four words: each product counts as two
+        assert!(!is_quick(MOST_STEPS, 192) && is_quick(MOST_STEPS / 2, 192) && !is_quick(MOST_STEPS / 2 + 1, 192));
+        let many = |count: i64, dimension: u32| -> Vec<Vector> {
+            (0..count).map(|t| (0..dimension).map(|power| IBig::from(t.pow(power))).collect()).collect()
+        };
+        assert!(counts(4, &many(300, 4), 30).is_none() && counts(3, &many(2_000, 3), 30).is_none());
+        assert!(measure(4, &many(300, 4), 4).is_none() && measure(3, &many(2_000, 3), 3).is_none());
+        assert!(measure(4, &many(12, 4), 4).is_some_and(|measure| measure > IBig::ZERO));
+        assert_eq!(measure(4, &many(12, 4), 3), Some(IBig::ZERO));
+    }
+
+    #[test]
+    fn counts_that_are_not_counted_satisfy_the_relations_of_every_zonotope() {
+        let cube = answer(3, [8, 12, 6], &[(4, 6)], 8);
+        assert_eq!(relations(3, &cube), Ok(()));
+        let wrong = [
+            CombinatoricsAnswer { facets: 8, ..cube.clone() },
+            CombinatoricsAnswer { edges: 14, ..cube.clone() },
+            CombinatoricsAnswer { vertices: 10, edges: 14, ..cube.clone() },
+            CombinatoricsAnswer { facets: 7, facet_sizes: BTreeMap::from([(4, 7)]), ..cube.clone() },
+            CombinatoricsAnswer { facet_sizes: BTreeMap::from([(4, 3), (6, 3)]), ..cube.clone() },
+            CombinatoricsAnswer { facet_sizes: BTreeMap::from([(4, 4), (6, 2)]), ..cube.clone() },
+        ];
+        for wrong in &wrong {
+            assert!(relations(3, wrong).is_err(), "{wrong:?}");
+        }
+        // Above three dimensions faces come in pairs, and no more is said.
+        assert_eq!(relations(4, &answer(4, [16, 32, 8], &[(8, 8)], 16)), Ok(()));
+        assert!(relations(4, &answer(4, [16, 31, 8], &[(8, 8)], 16)).is_err());
+    }
 }
