@@ -1,0 +1,203 @@
+"""The score of a library's own tests: how many small faults, each put in alone, make one of them fail.
+
+    python3 tests/mutants/run.py verifier
+    python3 tests/mutants/run.py zonotope --only numeric --only collision/proof --sample 300
+
+It needs Rust and a C compiler. All faults are built at once, each behind a switch that is read when a test runs, so a
+library takes minutes to hours and not days. Each test is run once without a fault and tells which switches it passes;
+a fault is then tried on those tests alone that pass its switch, the quickest first, until one fails or does not end.
+The list of what no test noticed is target/mutants/LIBRARY/noticed_by_none; every line of it is a test that is missing,
+or says the same as the right program. A run that is broken off goes on where it was; --anew begins again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+SWITCHES = """
+#[doc(hidden)]
+pub mod mutants {
+    use std::io::Write;
+    use std::sync::OnceLock;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    static ON: OnceLock<u32> = OnceLock::new();
+    static PASSED: OnceLock<Option<String>> = OnceLock::new();
+    static SEEN: [AtomicBool; 1 << 15] = [const { AtomicBool::new(false) }; 1 << 15];
+    #[inline]
+    pub fn on(number: u32) -> bool {
+        let on = *ON.get_or_init(|| std::env::var("MUTANT").ok().and_then(|n| n.parse().ok()).unwrap_or(0));
+        if on == 0 {
+            if let Some(file) = PASSED.get_or_init(|| std::env::var("MUTANTS_PASSED").ok()) {
+                if !SEEN[number as usize].swap(true, Ordering::Relaxed) {
+                    let opened = std::fs::OpenOptions::new().append(true).create(true).open(file);
+                    let _ = opened.and_then(|mut file| file.write_all(format!("{number}\\n").as_bytes()));
+                }
+            }
+        }
+        on == number
+    }
+}
+"""
+
+LONGEST_TEST = 120.0
+"""Seconds of a test that is used: one that takes longer is left out, and said so."""
+
+
+def output(*words: str | Path, cwd: Path = ROOT, may_fail: bool = False) -> str:
+    """What a program writes, both ways; it ends well, or this program ends."""
+    done = subprocess.run(words, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode and not may_fail:
+        raise SystemExit(f"{' '.join(map(str, words))}\n{done.stdout}")
+    return done.stdout
+
+
+class Library:
+    """A copy of a library whose sources have all faults."""
+
+    def __init__(self, name: str, only: list[str]) -> None:
+        self.work = ROOT / "target" / "mutants" / name
+        self.tree = self.work / "tree"
+        self.folder = self.tree / "workbench" / name
+        self.package = f"zonotope-{name}" if name == "verifier" else name
+        self.only = only
+        self.binary = self.work / "tests"
+
+    def files(self) -> list[str]:
+        """The files that get faults: no tests, and not the root."""
+        of_tests = re.compile(r"(^|/)tests(/|\.rs$)")
+        declared = re.compile(r"#\[cfg\(test\)\]\s*(?:pub(?:\([a-z]+\))? )?mod (\w+);")
+        paths = {str(path.relative_to(self.folder)) for path in self.folder.glob("src/**/*.rs")}
+        for path in sorted(paths):
+            for module in declared.findall((self.folder / path).read_text()):
+                paths.discard(str(Path(path).parent / f"{module}.rs"))
+        wanted = [path for path in paths if not of_tests.search(path) and path != "src/lib.rs"]
+        return sorted(path for path in wanted if not self.only or any(path.startswith(f"src/{o}") for o in self.only))
+
+    def build(self) -> None:
+        """Puts the faults in, leaves those out that do not compile, and builds the tests."""
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
+        output("git", "clone", "-q", "--no-hardlinks", ROOT, self.tree)
+        output("cargo", "build", "--release", "--manifest-path", ROOT / "tests/mutants/Cargo.toml")
+        rewrite = ROOT / "tests/mutants/target/release/mutants"
+        root = self.folder / "src/lib.rs"
+        root.write_text("#![allow(warnings)]\n#![allow(clippy::all)]\n" + root.read_text() + SWITCHES)
+        files, skipped = self.files(), self.work / "skipped"
+        while True:
+            output("git", "checkout", "-q", "HEAD", "--", *files, cwd=self.folder)
+            output(rewrite, skipped, self.work / "list", *files, cwd=self.folder)
+            check = ("cargo", "check", "-p", self.package, "--message-format", "short")
+            told = output(*check, cwd=self.tree, may_fail=True)
+            places = re.findall(r"^(\S+\.rs):(\d+):\d+: error", told, re.MULTILINE)
+            found = {number for file, line in places for number in self.near(file, int(line))}
+            if not places:
+                break
+            if not found:
+                raise SystemExit(told)
+            skipped.write_text(" ".join([*(skipped.read_text().split() if skipped.exists() else []), *found]))
+        told = output("cargo", "test", "-p", self.package, "--lib", "--no-run", cwd=self.tree)
+        shutil.copy(self.tree / re.findall(r"Executable unittests src/lib.rs \((.*)\)", told)[0], self.binary)
+
+    def near(self, file: str, line: int) -> list[str]:
+        """The switches of a line that does not compile, or the last ones above it."""
+        lines = (self.tree / file).read_text().splitlines()
+        for text in reversed(lines[max(0, line - 9) : line]):
+            if found := re.findall(r"mutants::on\((\d+)u32\)", text):
+                return found
+        return []
+
+    def run(self, tests: list[str], seconds: float, **environment: str) -> bool | None:
+        """Whether all the tests pass; None if they do not end."""
+        words = [self.binary, "--exact", "--test-threads=1", *tests]
+        variables = {**os.environ, "PROPTEST_RNG_SEED": "1", **environment}
+        try:
+            done = subprocess.run(words, cwd=self.folder, env=variables, capture_output=True, timeout=seconds)
+        except subprocess.TimeoutExpired:
+            return None
+        return done.returncode == 0
+
+    def passed(self) -> dict[str, tuple[float, list[int]]]:
+        """The seconds of every test, and the switches that it passes."""
+        kept = self.work / "passed.json"
+        if kept.exists():
+            return json.loads(kept.read_text())
+        filters = [path.replace("/", "::") for path in self.only]
+        listed = output(self.binary, "--list", *filters, cwd=self.folder).splitlines()
+        found: dict[str, tuple[float, list[int]]] = {}
+        for test in (line.removesuffix(": test") for line in listed if line.endswith(": test")):
+            seen = self.work / "seen"
+            seen.unlink(missing_ok=True)
+            began = time.monotonic()
+            if (well := self.run([test], LONGEST_TEST, MUTANTS_PASSED=str(seen))) is not True:
+                print(f"left out, as it {'takes too long' if well is None else 'fails without a fault'}: {test}")
+                continue
+            numbers = sorted(set(map(int, seen.read_text().split()))) if seen.exists() else []
+            found[test] = (time.monotonic() - began, numbers)
+        kept.write_text(json.dumps(found))
+        return found
+
+
+def verdict(library: Library, number: int, tests: list[tuple[float, str]]) -> str:
+    """What the tests that pass a fault's switch make of it."""
+    if not tests:
+        return "not reached"
+    tests.sort()
+    for begin in range(0, len(tests), 4):
+        group = tests[begin : begin + 4]
+        well = library.run([test for _, test in group], 15 + 20 * sum(s for s, _ in group), MUTANT=str(number))
+        if well is not True:
+            return "no end" if well is None else "noticed"
+    return "not noticed"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("library", choices=["verifier", "zonotope", "batch"])
+    parser.add_argument("--only", action="append", default=[], metavar="FOLDER", help="files below src/FOLDER alone")
+    parser.add_argument("--sample", type=int, metavar="N", help="so many of the faults, chosen by chance, the same ones")
+    parser.add_argument("--anew", action="store_true", help="begin again")
+    options = parser.parse_args()
+    library = Library(options.library, options.only)
+    if options.anew or not library.binary.exists():
+        library.build()
+    passed = library.passed()
+    tests: dict[int, list[tuple[float, str]]] = collections.defaultdict(list)
+    for test, (seconds, numbers) in passed.items():
+        for number in numbers:
+            tests[number].append((seconds, test))
+    faults = [line.split("\t") for line in (library.work / "list").read_text().splitlines()]
+    if options.sample is not None and options.sample < len(faults):
+        faults = sorted(random.Random(2003).sample(faults, options.sample), key=lambda fault: int(fault[0]))
+    kept = library.work / "verdicts"
+    known = dict(line.split("\t") for line in kept.read_text().splitlines()) if kept.exists() else {}
+    with kept.open("a") as record:
+        for number in (fault[0] for fault in faults if fault[0] not in known):
+            known[number] = verdict(library, int(number), tests[int(number)])
+            print(number, known[number], sep="\t", file=record, flush=True)
+    table: dict[str, collections.Counter[str]] = collections.defaultdict(collections.Counter)
+    for number, place, *_ in faults:
+        folder = str(Path(place.split(":")[0]).parent).removeprefix("src")
+        table[folder.lstrip("/") or "src"][known[number]] += 1
+        table["all"][known[number]] += 1
+    print("| folder | faults | noticed | no end | not noticed | not reached | score |\n|---|---|---|---|---|---|---|")
+    for folder, counts in sorted(table.items(), key=lambda row: (row[0] == "all", row[0])):
+        columns = [counts[name] for name in ("noticed", "no end", "not noticed", "not reached")]
+        score = 100 * (columns[0] + columns[1]) / sum(columns)
+        print(f"| {folder} | {sum(columns)} | {' | '.join(map(str, columns))} | {score:.0f} % |")
+    missed = [fault for fault in faults if known[fault[0]] in ("not noticed", "not reached")]
+    (library.work / "noticed_by_none").write_text("".join("\t".join(fault) + "\n" for fault in missed))
+
+
+if __name__ == "__main__":
+    main()
