@@ -258,4 +258,30 @@ mod tests {
         let anywhere = LadAnswer::Optimal { point: whole([9]), value: None, signs: vec![], basis: vec![] };
         assert!(check_lad(&nothing, &anywhere).is_right());
     }
+
+    /// |x − 2| + |x + 2| + |x − 1|, and |x − 1| once more, with a small slope: least at 1, where the first term falls.
+    #[test]
+    fn terms_on_both_sides_and_terms_that_vanish() {
+        let terms = [([1.0], -2.0, 1.0), ([1.0], 2.0, 1.0), ([1.0], -1.0, 1.0), ([1.0], -1.0, 1.0)];
+        let judged = |slope: f64, value: Fraction, signs: [i8; 4], basis: usize| {
+            let question = Lad::new([slope], &terms).expect("finite");
+            let answer =
+                LadAnswer::Optimal { point: whole([1]), value: Some(value), signs: signs.to_vec(), basis: vec![basis] };
+            check_lad(&question, &answer)
+        };
+        // The slope has a finer unit than the terms: δ = ∓ 1 + 1 / 1024 balances the one sign or the other.
+        let value = || Fraction::new(4 * 1024 - 1, 1024).expect("not over zero");
+        let slope = -1.0 / 1024.0;
+        assert!(judged(slope, value(), [-1, 1, 1, 0], 3).is_right());
+        assert!(judged(slope, value(), [-1, 1, 0, 0], 3).is_right());
+        assert!(judged(slope, value(), [-1, 1, 0, 1], 2).is_right());
+        assert!(judged(slope, value(), [-1, 1, -1, 0], 3).is_wrong(), "δ is 1 + 1 / 1024");
+        assert!(
+            judged(-slope, Fraction::new(4 * 1024 + 1, 1024).expect("not over zero"), [-1, 1, -1, 0], 3).is_right()
+        );
+        for signs in [[1, 1, 1, 0], [-1, -1, 1, 0], [0, 1, 1, 0], [-1, 0, 1, 0]] {
+            assert!(judged(slope, value(), signs, 3).is_wrong(), "{signs:?}");
+        }
+        assert!(judged(slope, Fraction::new(4, 1).expect("not over zero"), [-1, 1, 1, 0], 3).is_wrong());
+    }
 }

@@ -201,4 +201,24 @@ mod tests {
         assert!(judged(least, apart(0.0, least)).is_right());
         assert!(judged(1e300, apart(1e300, f64::INFINITY)).is_wrong());
     }
+
+    #[test]
+    fn bounds_that_are_none_are_refused() {
+        let (nan, inf) = (f64::NAN, f64::INFINITY);
+        for [lower, upper] in [[nan, 2.0], [2.0, nan], [nan, nan], [inf, inf], [-1.0, 2.0], [2.0, 1.0], [-inf, 2.0]] {
+            let answer = MeshAnswer::Apart { distance: Some([lower, upper]) };
+            assert!(judged(2.0, answer).is_wrong(), "{lower} {upper}");
+        }
+        let share = |part: f64| MeshAnswer::Apart { distance: Some([2.0 - 2.0 * part, 2.0]) };
+        assert!(judged(2.0, share(DISTANCE_SHARE / 2.0)).is_right());
+        assert!(judged(2.0, share(DISTANCE_SHARE * 2.0)).is_wrong());
+        assert!(judged(2.0, MeshAnswer::Apart { distance: Some([2.0, 2.0]) }).is_right());
+    }
+
+    #[test]
+    fn pairs_are_counted_up_to_their_limit() {
+        let mut looked_at = PAIR_LIMIT - 1;
+        assert!(limited(&mut looked_at).is_ok() && limited(&mut looked_at).is_err());
+        assert_eq!(looked_at, PAIR_LIMIT + 1);
+    }
 }

@@ -98,9 +98,25 @@ mod tests {
                 Ok(())
             });
             found.sort_unstable();
-            let is_near = |[i, j]: &[usize; 2]| a[*i].is_near(&b[*j], &reach);
+            let end = |boxed: &Boxed, axis: usize, is_high: bool| {
+                let mut along = boxed.triangle.each_ref().map(|corner| corner[axis].clone());
+                along.sort();
+                along[if is_high { 2 } else { 0 }].clone()
+            };
+            let gap = |i: usize, j: usize, axis| {
+                (end(&a[i], axis, false) - end(&b[j], axis, true)).max(end(&b[j], axis, false) - end(&a[i], axis, true))
+            };
+            let is_near = |&[i, j]: &[usize; 2]| (0..3).all(|axis| gap(i, j, axis) <= reach);
             let all: Vec<[usize; 2]> = (0..25).flat_map(|i| (0..25).map(move |j| [i, j])).filter(is_near).collect();
             assert_eq!((visited, found), (Ok(()), all));
         }
+    }
+
+    #[test]
+    fn the_sweep_is_along_the_axis_of_the_widest_spread() {
+        let at = |x: i32, y: i32, z: i32| Boxed::new([0, 1, 1].map(|step| [x + step, y, z].map(IBig::from)));
+        assert_eq!(widest_axis(&[at(-5, 0, 0)], &[at(5, 3, 9)]), 0);
+        assert_eq!(widest_axis(&[at(0, -7, 0), at(0, 4, 0)], &[at(5, 3, 9)]), 1);
+        assert_eq!(widest_axis(&[at(90, 90, -6)], &[at(95, 93, 5)]), 2);
     }
 }

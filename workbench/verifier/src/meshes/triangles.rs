@@ -178,4 +178,24 @@ mod tests {
         assert_eq!(square([[-3, -4, 0]; 3]), IBig::from(25));
         assert_eq!(square([[4, 4, 3], [4, 4, -3], [9, 9, 0]]), IBig::from(8));
     }
+
+    /// Corners over the plane of a triangle, beyond each of its edges: the nearest point is on the edge.
+    #[test]
+    fn corners_beside_a_triangle_are_near_its_edges() {
+        let point = |x: i32, y: i32, z: i32| [x, y, z].map(IBig::from);
+        let flat = [point(0, 0, 0), point(10, 0, 0), point(0, 10, 0)];
+        let above = |x: i32, y: i32| [point(x, y, 30), point(x, y, 31), point(x, y + 1, 31)];
+        let square = |x: i32, y: i32| {
+            let [numerator, denominator] = squared_distance(&flat, &above(x, y));
+            let turned = squared_distance(&above(x, y), &flat);
+            assert!(!is_below(&[numerator.clone(), denominator.clone()], &turned));
+            assert!(!is_below(&turned, &[numerator.clone(), denominator.clone()]));
+            (&numerator / &denominator, numerator % denominator)
+        };
+        for (at, exact) in
+            [((3, 3), 900), ((9, 9), 932), ((4, -4), 916), ((-4, 4), 916), ((-3, -4), 925), ((14, 0), 916)]
+        {
+            assert_eq!(square(at.0, at.1), (IBig::from(exact), IBig::ZERO), "{at:?}");
+        }
+    }
 }
