@@ -18,7 +18,7 @@ cargo build --release -p tests --example print_questions
 program=target/release/zonobench
 target/release/examples/print_questions "$count" "$seed" >"$work/questions.jsonl"
 
-"$program" solve --threads 2 "$work/questions.jsonl" >"$work/answers.jsonl" 2>"$work/log" &
+"$program" solve "$work/questions.jsonl" >"$work/answers.jsonl" 2>"$work/log" &
 process=$!
 while kill -0 "$process" 2>/dev/null; do
   sed -n 's/^VmRSS:[^0-9]*\([0-9]*\) kB/\1/p' "/proc/$process/status" 2>/dev/null || true
@@ -30,7 +30,7 @@ printf '%s questions of the seed %s: %s answers, %s seconds\n' \
 
 split -l 1000 "$work/questions.jsonl" "$work/part-"
 for part in "$work"/part-*; do
-  "$program" solve --threads 2 "$part" 2>>"$work/log"
+  "$program" solve "$part" 2>>"$work/log"
 done >"$work/fresh.jsonl"
 cmp "$work/answers.jsonl" "$work/fresh.jsonl"
 echo 'the answers are those of fresh processes'
