@@ -1,7 +1,8 @@
-"""The score of a library's own tests: how many small faults, each put in alone, make one of them fail.
+r"""The score of a library's own tests: how many small faults, each put in alone, make one of them fail.
 
     python3 tests/mutants/run.py verifier
-    python3 tests/mutants/run.py zonotope --only numeric --only collision/proof --sample 300
+    python3 tests/mutants/run.py zonotope --only numeric --only collision/proof --tests numeric:: --tests collision:: \
+        --sample 300
 
 It needs Rust and a C compiler. All faults are built at once, each behind a switch that is read when a test runs, so a
 library takes minutes to hours and not days. Each test is run once without a fault and tells which switches it passes;
@@ -33,7 +34,7 @@ pub mod mutants {
     use std::sync::atomic::{AtomicBool, Ordering};
     static ON: OnceLock<u32> = OnceLock::new();
     static PASSED: OnceLock<Option<String>> = OnceLock::new();
-    static SEEN: [AtomicBool; 1 << 15] = [const { AtomicBool::new(false) }; 1 << 15];
+    static SEEN: [AtomicBool; 1 << 17] = [const { AtomicBool::new(false) }; 1 << 17];
     #[inline]
     pub fn on(number: u32) -> bool {
         let on = *ON.get_or_init(|| std::env::var("MUTANT").ok().and_then(|n| n.parse().ok()).unwrap_or(0));
@@ -65,12 +66,12 @@ def output(*words: str | Path, cwd: Path = ROOT, may_fail: bool = False) -> str:
 class Library:
     """A copy of a library whose sources have all faults."""
 
-    def __init__(self, name: str, only: list[str]) -> None:
+    def __init__(self, name: str, only: list[str], filters: list[str]) -> None:
         self.work = ROOT / "target" / "mutants" / name
         self.tree = self.work / "tree"
         self.folder = self.tree / "workbench" / name
         self.package = f"zonotope-{name}" if name == "verifier" else name
-        self.only = only
+        self.only, self.filters = only, filters
         self.binary = self.work / "tests"
 
     def files(self) -> list[str]:
@@ -132,8 +133,7 @@ class Library:
         kept = self.work / "passed.json"
         if kept.exists():
             return json.loads(kept.read_text())
-        filters = [path.replace("/", "::") for path in self.only]
-        listed = output(self.binary, "--list", *filters, cwd=self.folder).splitlines()
+        listed = output(self.binary, "--list", *self.filters, cwd=self.folder).splitlines()
         found: dict[str, tuple[float, list[int]]] = {}
         for test in (line.removesuffix(": test") for line in listed if line.endswith(": test")):
             seen = self.work / "seen"
@@ -163,14 +163,18 @@ def verdict(library: Library, number: int, tests: list[tuple[float, str]]) -> st
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("library", choices=["verifier", "zonotope", "batch"])
+    parser.add_argument("name", choices=["verifier", "zonotope", "batch"], metavar="LIBRARY")
     parser.add_argument("--only", action="append", default=[], metavar="FOLDER", help="files below src/FOLDER alone")
-    parser.add_argument("--sample", type=int, metavar="N", help="so many of the faults, chosen by chance, the same ones")
+    parser.add_argument("--tests", action="append", default=[], metavar="PART", help="tests with this in their names")
+    parser.add_argument("--sample", type=int, metavar="N", help="so many faults, by chance, always the same ones")
     parser.add_argument("--anew", action="store_true", help="begin again")
     options = parser.parse_args()
-    library = Library(options.library, options.only)
-    if options.anew or not library.binary.exists():
+    library = Library(options.name, options.only, options.tests)
+    # Faults of other files, or verdicts of other tests, are another run.
+    asked, now = library.work / "asked", json.dumps([options.only, options.tests])
+    if options.anew or not asked.exists() or asked.read_text() != now:
         library.build()
+        asked.write_text(now)
     passed = library.passed()
     tests: dict[int, list[tuple[float, str]]] = collections.defaultdict(list)
     for test, (seconds, numbers) in passed.items():

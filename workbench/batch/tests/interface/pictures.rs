@@ -131,6 +131,25 @@ fn searches_and_planes_agree_with_locations_and_gauges() {
 }
 
 #[test]
+fn the_optimum_of_a_plane_of_directions_is_strict_in_general_position_and_zero_beside_a_flat_body() {
+    let generators = &bodies()[0];
+    for point in [[1.0, 2.0, 0.5], [-3.0, 0.25, 1.0], [0.5, -0.5, -4.0]] {
+        let input = json!({"point": point, "center": [0, 0, 0], "generators": generators});
+        let plane = drawn("plane_of_directions", &input);
+        let lines: Vec<[f64; 3]> = serde_json::from_value(plane["lines"].clone()).expect("lines");
+        let [x, y]: [f64; 2] = serde_json::from_value(plane["optimum"].clone()).expect("the body spans space");
+        let support = |[x, y]: [f64; 2]| lines.iter().map(|[a, b, c]| (a * x + b * y + c).abs()).sum::<f64>();
+        let nearby = [[x + 0.01, y], [x - 0.01, y], [x, y + 0.01], [x, y - 0.01]];
+        assert!(nearby.iter().all(|beside| support(*beside) > support([x, y])), "{input}");
+    }
+    let square = json!({"point": [0, 0, 2], "center": [0, 0, 0], "generators": [[1, 0, 0], [0, 1, 0]]});
+    let beside = drawn("plane_of_directions", &square);
+    assert_eq!((&beside["optimum"], &beside["gauge"]), (&json!([0.0, 0.0]), &json!("Infinity")));
+    let nothing = json!({"point": [1, 0, 0], "center": [0, 0, 0], "generators": []});
+    assert!(drawn("plane_of_directions", &nothing)["optimum"].is_null());
+}
+
+#[test]
 fn what_is_no_picture_is_refused_like_a_question() {
     let refusal = |question: &Value| {
         let content: Value = serde_json::from_str(&picture(&question.to_string())).expect("JSON");

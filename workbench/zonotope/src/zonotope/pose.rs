@@ -189,7 +189,7 @@ impl Default for Pose {
     }
 }
 
-/// Where a body stands: as it is stored ([`AtRest`]), or where a [`Pose`] puts it. A type parameter with two values, so
+/// The place of a body: as it is stored ([`AtRest`]), or as a [`Pose`] puts it. A type parameter with two values, so
 /// that the same code serves bodies under poses and bodies as they are stored, and these pay nothing for the
 /// possibility of a pose.
 pub trait Standing: Copy + Default + fmt::Debug + PartialEq + Send + Sync + sealed::Sealed {

@@ -20,7 +20,7 @@ use crate::numeric::tolerance::{DISPLACEMENT_ACCURACY, PRODUCT_UNDERFLOW, UNIT};
 pub struct Placed<'a, const D: usize = 3, P = AtRest> {
     center: [f64; D],
     generators: &'a [[f64; D]],
-    /// What was prepared of the generators, in space.
+    /// The generators as they were prepared, in space.
     laid_out: Option<&'a LaidOut>,
     standing: P,
 }
@@ -73,7 +73,7 @@ impl<'a, const D: usize, P: Standing> Placed<'a, D, P> {
         self.generators
     }
 
-    /// Where the body stands.
+    /// The place of the body.
     #[inline]
     pub fn standing(&self) -> &P {
         &self.standing
