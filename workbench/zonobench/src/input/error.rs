@@ -7,7 +7,7 @@ use thiserror::Error;
 
 /// A complaint about a data file: the file, the place in it, and what is wrong there.
 #[derive(Debug, Error)]
-#[error("{}: {}{problem}", .file.display(), .place.prefix())]
+#[error("{}", on_one_line(&format!("{}: {}{problem}", .file.display(), .place.prefix())))]
 pub struct InputError {
     /// The file as the caller named it.
     pub file: PathBuf,
@@ -386,6 +386,9 @@ impl Problem {
             Self::Thousands(cell) => Self::Thousands(tidy(cell)),
             Self::UnreadFormat(extension) => Self::UnreadFormat(tidy(extension)),
             Self::ForeignFormat(extension) => Self::ForeignFormat(tidy(extension)),
+            Self::Array(complaint) => Self::Array(cut(&complaint, 8 * MESSAGE_LIMIT)),
+            Self::Shape(complaint) => Self::Shape(cut(&complaint, 8 * MESSAGE_LIMIT)),
+            Self::Missing(problem) => Self::Missing(Box::new(problem.shortened())),
             Self::Mesh { format, complaint } => {
                 let words: Vec<&str> = complaint.split_whitespace().collect();
                 Self::Mesh { format, complaint: cut(&words.join(" "), 2 * MESSAGE_LIMIT) }

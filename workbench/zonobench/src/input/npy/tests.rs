@@ -221,6 +221,7 @@ fn what_is_no_array_of_points_is_refused() {
     assert_eq!(of_records("('x', '|u1')", "(1, 2)"), by_two);
     assert_eq!(of_records("('x', '|u1')", "(3,)"), is_not("2 bytes follow the header, not 3 records of 1 bytes"));
     assert_eq!(of_records("('x', '|O')", "(2,)"), "fields of the type '|O' are not read");
+    assert_eq!(of_records("('x', '<f\n\x00')", "(2,)"), r"fields of the type '<f\n\0' are not read");
     assert!(of_records("('x', '|u1', (99999999,))", "(2,)").contains("more than 65536 numbers in a record"));
     assert_eq!(
         of_records("('x', '|S1')", "(2,)"),

@@ -269,7 +269,9 @@ fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let sizes: Vec<usize> = first.iter().map(whole).collect::<Option<_>>()?;
     let width = match *sizes.as_slice() {
         [_, width] | [_, width, 0] => width,
-        [_, width, attributes, markers @ 0..=1] if markers + attributes <= 9 => 1 + width + attributes + markers,
+        [_, width, attributes @ 0..=9, markers @ 0..=1] if markers + attributes <= 9 => {
+            width.checked_add(1 + attributes + markers)?
+        }
         _ => return None,
     };
     if width == 0 || (width == first.len() && text.separator() != b' ') {
@@ -288,8 +290,8 @@ fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let is_numbered = sizes.len() == 4 && count > 1;
     let is_certain = width != first.len() || is_numbered || (count >= COUNTED && (are_fractions || count > CERTAIN));
     let in_words = format!("the first row ({}), which says the sizes of the table", cells(first).join(", "));
-    let coordinates = if sizes.len() < 4 { 0..width } else { 1..1 + sizes[1] };
-    let others = (0..width).filter(|column| !coordinates.contains(column)).collect();
+    // no list of the coordinates: a row that is a point may name any number of them
+    let others = if sizes.len() < 4 { Vec::new() } else { std::iter::once(0).chain(1 + sizes[1]..width).collect() };
     (count == sizes[0] && is_certain).then_some((in_words, others))
 }
 

@@ -165,6 +165,17 @@ fn a_row_of_sizes_is_left_out_where_the_rows_agree_with_it() {
     assert_eq!(vectors("2,2\n1,0\n0,1\n").expect("generators").0.len(), 3);
     assert_eq!(told("3 2\n1.0 2.0\n3.0 4.0\n5.0 6.0\n", false, Some(0)).expect("points").0.len(), 4);
     assert_eq!(told("4 2\n1 2\n3 4\n5 6\n", false, None).expect("points").0.len(), 4);
+    // a point of large whole numbers takes no longer than another one, and none of its sums leaves their range
+    for content in [
+        "1 99999999999999999\n",
+        "188800;0008415599203\n",
+        "0 18446744073709551615 0 1\n",
+        "1 2 18446744073709551615 1\n",
+    ] {
+        let whole = |cell: &str| cell.parse::<f64>().expect("a number");
+        let row: Vec<f64> = content.trim().split([' ', ';']).map(whole).collect();
+        assert_eq!(vectors(content).expect(content).0, [row], "{content}");
+    }
 }
 
 #[test]
