@@ -11,8 +11,9 @@ use super::fitting::{Fitted, fit, refit};
 use super::shape::Shaped;
 use crate::bvh::frame::{Frame, REACH_LIMIT};
 use crate::bvh::volume::{BoundingVolume, expected_overlaps_of_generators};
+use crate::numeric::bounded::{Bounded, difference};
 use crate::numeric::lanes::level::level_for_few;
-use crate::numeric::linear::{cross, dot, euclidean_norm, sum_norm};
+use crate::numeric::linear::{cross, dot, euclidean_norm, inverse, sum_norm};
 use crate::numeric::tolerance::FITTED_MARGIN;
 use crate::zonotope::Zonotope as Body;
 
@@ -94,7 +95,7 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         let mut margin = FITTED_MARGIN;
         while margin < LARGEST_MARGIN {
             let found = Self::with_margin(fitted, margin);
-            if found.body().is_some_and(|body| contains_all(&body, points)) {
+            if found.contains_all(points) {
                 return found;
             }
             margin *= 16.0;
@@ -149,6 +150,38 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         let m = self.margin;
         let margins = [[m, 0.0, 0.0], [0.0, m, 0.0], [0.0, 0.0, m]];
         Body::new(self.center, self.generators.iter().copied().chain(margins).collect()).ok()
+    }
+
+    /// Whether the body holds all points, exactly, and reaches no farther than a volume may.
+    fn contains_all(&self, points: &[[f64; 3]]) -> bool {
+        let Some(body) = self.body() else { return false };
+        let reach = body.generators().iter().map(sum_norm).sum::<f64>() + sum_norm(&body.center());
+        let inverse = self.inverse_of_three();
+        let is_inside = |point: &[f64; 3]| {
+            inverse.is_some_and(|inverse| self.holds_but_for_margin(&inverse, point))
+                || body.contains(*point) == Ok(true)
+        };
+        reach <= REACH_LIMIT && points.iter().all(is_inside)
+    }
+
+    /// The inverse of the matrix with the generators as columns, rounded, if there are three.
+    fn inverse_of_three(&self) -> Option<[[f64; 3]; 3]> {
+        let has_others = self.generators.iter().skip(3).any(|g| *g != [0.0; 3]);
+        let columns = std::array::from_fn(|axis| std::array::from_fn(|k| self.generators[k][axis]));
+        if has_others { None } else { inverse(3, &columns) }
+    }
+
+    /// Whether a point is within the margin of a point of the parallelepiped: the one with the nearest coefficients, as
+    /// doubles tell it. Of the points of a fit nearly all are, and an exact location takes ten times as long.
+    fn holds_but_for_margin(&self, inverse: &[[f64; 3]; 3], point: &[f64; 3]) -> bool {
+        let apart = difference(self.center, *point);
+        let values = apart.map(|coordinate| coordinate.value);
+        let coefficients = inverse.each_ref().map(|row| dot(row, &values).clamp(-1.0, 1.0));
+        (0..3).all(|axis| {
+            let terms = coefficients.iter().zip(&self.generators);
+            let rest = terms.fold(apart[axis], |rest, (c, g)| rest - Bounded::exact(*c) * Bounded::exact(g[axis]));
+            rest.magnitude() <= self.margin
+        })
     }
 
     /// The largest gap along the facet normals of one body: `apart` and the generators of the other one as seen from
@@ -237,12 +270,6 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
 #[inline(always)]
 fn largest_of<S: Simd>(lanes: &f64x8<S>) -> f64 {
     lanes.as_slice().iter().fold(f64::NEG_INFINITY, |largest, &gap| if gap > largest { gap } else { largest })
-}
-
-/// Whether a body holds all points, exactly, and reaches no farther than a volume may.
-fn contains_all(body: &Body<3>, points: &[[f64; 3]]) -> bool {
-    let reach = body.generators().iter().map(sum_norm).sum::<f64>() + sum_norm(&body.center());
-    reach <= REACH_LIMIT && points.iter().all(|point| body.contains(*point) == Ok(true))
 }
 
 impl<const K: usize, const B: usize> Shaped for Zonotope<K, B> {

@@ -22,11 +22,14 @@ const PERTURBATION: f64 = 1e-9;
 /// Pivots after which the method gives up, for each unknown.
 const PIVOTS_OF_AN_UNKNOWN: usize = 12;
 
+/// Columns side by side. Rows are filled up with columns without a gain, which never enter.
+const LANES: usize = 8;
+
 /// The table of the dual of a program.
 pub(super) struct Program {
     unknowns: usize,
     inequalities: usize,
-    /// Aᵀ at first: a row for each unknown.
+    /// Aᵀ at first: a row for each unknown, as long as `gains`.
     entries: Vec<f64>,
     /// b at first: the gain of each column.
     gains: Vec<f64>,
@@ -35,29 +38,30 @@ pub(super) struct Program {
 impl Program {
     /// The program without an inequality, with room for a number of them.
     pub(super) fn with_room(unknowns: usize, inequalities: usize) -> Self {
-        let entries = vec![0.0; unknowns * inequalities];
-        Self { unknowns, inequalities, entries, gains: Vec::with_capacity(inequalities) }
+        let columns = inequalities.next_multiple_of(LANES);
+        Self { unknowns, inequalities: 0, entries: vec![0.0; unknowns * columns], gains: vec![0.0; columns] }
     }
 
     /// Adds the inequality coefficients · x ≥ right.
     #[inline]
     pub(super) fn add_inequality(&mut self, coefficients: impl IntoIterator<Item = f64>, right: f64) {
-        let column = self.gains.len();
+        let columns = self.gains.len();
         for (row, c) in coefficients.into_iter().enumerate() {
-            self.entries[row * self.inequalities + column] = c;
+            self.entries[row * columns + self.inequalities] = c;
         }
-        self.gains.push(right);
+        self.gains[self.inequalities] = right;
+        self.inequalities += 1;
     }
 
     /// An optimal x; `None` where there is none or rounding hides it.
     pub(super) fn minimize(mut self, costs: &[f64]) -> Option<Vec<f64>> {
-        assert_eq!((self.unknowns, self.inequalities), (costs.len(), self.gains.len()));
+        assert_eq!(self.unknowns, costs.len());
         dispatch!(level_for_few(), simd => self.run(simd, costs))
     }
 
     #[inline(always)]
     fn run<S: Simd>(&mut self, _simd: S, costs: &[f64]) -> Option<Vec<f64>> {
-        let (rows, columns) = (self.unknowns, self.inequalities);
+        let (rows, columns) = (self.unknowns, self.gains.len());
         let spread = |i: usize| ((i + 1) as f64 * 0.618_033_988_749_894_9).fract();
         let mut values: Vec<f64> =
             costs.iter().enumerate().map(|(i, cost)| cost + PERTURBATION * (1.0 + spread(i))).collect();
@@ -66,14 +70,7 @@ impl Program {
         let mut of_columns: Vec<usize> = (0..columns).collect();
         let mut pivot_row = vec![0.0; columns];
         for _ in 0..PIVOTS_OF_AN_UNKNOWN * rows + 20 {
-            let mut entering = None;
-            let mut largest = LEAST_GAIN;
-            for (column, &gain) in self.gains.iter().enumerate() {
-                if gain > largest {
-                    (entering, largest) = (Some(column), gain);
-                }
-            }
-            let Some(entering) = entering else {
+            let Some(entering) = self.entering() else {
                 let mut x = vec![0.0; rows];
                 for (&variable, &gain) in of_columns.iter().zip(&self.gains) {
                     if variable >= columns {
@@ -107,12 +104,25 @@ impl Program {
         None
     }
 
+    /// The first column of the largest gain.
+    #[inline(always)]
+    fn entering(&self) -> Option<usize> {
+        let mut largest = [LEAST_GAIN; LANES];
+        for gains in self.gains.as_chunks::<LANES>().0 {
+            for (largest, &gain) in largest.iter_mut().zip(gains) {
+                *largest = if gain > *largest { gain } else { *largest };
+            }
+        }
+        let largest = largest.into_iter().fold(LEAST_GAIN, f64::max);
+        if largest > LEAST_GAIN { self.gains.iter().position(|&gain| gain == largest) } else { None }
+    }
+
     /// The row that is first at zero as a column grows; of several, the one with the largest entry.
     #[inline(always)]
     fn leaving(&self, entering: usize, values: &[f64]) -> Option<usize> {
         let mut best: Option<(f64, f64, usize)> = None;
         for (row, value) in values.iter().enumerate() {
-            let entry = self.entries[row * self.inequalities + entering];
+            let entry = self.entries[row * self.gains.len() + entering];
             if entry > LEAST_PIVOT {
                 let ratio = value / entry;
                 if best.is_none_or(|(least, largest, _)| ratio < least || ratio == least && entry > largest) {
