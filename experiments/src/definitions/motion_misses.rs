@@ -2,7 +2,8 @@
 
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::moving::MovingBodies;
-use crate::moving::soundness::{RESOLUTION, Samples};
+use crate::moving::samples::Samples;
+use crate::moving::soundness::RESOLUTION;
 use crate::seed::{self, Digest};
 use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
 use rivals::first_contact::by_sampling::first_sampled_contact;

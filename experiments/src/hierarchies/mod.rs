@@ -4,10 +4,12 @@
 
 mod approach;
 mod asked;
+mod courses;
 mod meshes;
 mod scene;
 
 pub use approach::{DISTANCES, Placed};
 pub use asked::{Asked, Tests};
+pub use courses::{Course, MovedMesh, middles_apart, poses_of};
 pub use meshes::{MESHES, mesh};
 pub use scene::{Scene, scene};

@@ -1,6 +1,8 @@
 //! Pairs of moving bodies of the families as the library and the verifier take them, at a clearance, with the least
 //! distance that samples see; [`soundness`] holds answers to samples.
 
+pub mod meshes;
+pub mod samples;
 pub mod soundness;
 pub mod swept;
 

@@ -1,8 +1,4 @@
-//! Answers about moving bodies held to the verifier and to samples: no sample contradicts an answer, and between
-//! samples the bodies move by no more than a bound.
-//!
-//! A distance at a time that is more than what the bodies move until both ends of an interval proves, but for
-//! rounding, that they do not meet in it; else the interval is halved.
+//! Answers about moving bodies held to the verifier and to samples that are as dense as the speed of the bodies asks.
 
 use families::motions::MotionFamily;
 use rivals::first_contact::by_hull_of_end_poses::first_meeting_stretch;
@@ -10,15 +6,13 @@ use rivals::first_contact::by_sampling::first_sampled_contact;
 use zonotope::motion::continuous::{FirstContact, Method};
 
 use super::MovingBodies;
+use super::samples::Samples;
 
 /// Two times between which a contact must be.
 pub const RESOLUTION: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// The steps of the rival that samples, and the stretches of the one that takes hulls of end poses.
 pub const RIVAL_STEPS: u32 = 32;
-
-/// Intervals shorter than this are not halved: the bodies are so near there that samples leave it open.
-const SHORTEST: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// The most samples of a motion: of bodies that stay as near as rounding, each interval would be halved to the end.
 const SAMPLE_LIMIT: u32 = 1 << 14;
@@ -100,17 +94,6 @@ impl Tallied {
     }
 }
 
-/// The relation of samples to an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Samples {
-    /// They prove the bodies free where the answer says so, but for rounding.
-    Prove,
-    /// They agree and leave short intervals open.
-    Agree,
-    /// They contradict it.
-    Contradict,
-}
-
 impl MovingBodies {
     /// Samples of the time that an answer calls free, dense enough for the bound of the step, and of the contact.
     pub fn samples_against(&self, found: &FirstContact) -> Samples {
@@ -127,28 +110,8 @@ impl MovingBodies {
         {
             return Samples::Contradict;
         }
-        let speed = self.speed();
-        // nothing is said to be free before a contact at the start
-        let mut open = if end > 0.0 { vec![[0.0, end]] } else { Vec::new() };
-        let mut samples = Samples::Prove;
-        for _ in 0..SAMPLE_LIMIT {
-            let Some([from, until]) = open.pop() else { return samples };
-            let half = (until - from) / 2.0;
-            let middle = from + half;
-            let distance = self.distance_at(middle);
-            if distance > speed * half {
-                continue;
-            }
-            if distance == 0.0 && self.depth_at(middle) > DEPTH_OF_ROUNDING {
-                return Samples::Contradict;
-            }
-            if half <= SHORTEST {
-                samples = Samples::Agree;
-                continue;
-            }
-            open.extend([[middle, until], [from, middle]]);
-        }
-        if open.is_empty() { samples } else { Samples::Agree }
+        let meet = |time| self.depth_at(time) > DEPTH_OF_ROUNDING;
+        Samples::of_free_time(end, self.speed(), SAMPLE_LIMIT, |time| self.distance_at(time), meet)
     }
 
     /// The depth to which the bodies overlap at a time, from below.

@@ -5,7 +5,6 @@
 //! a line of settings.
 
 mod contender;
-mod draws;
 mod moving;
 mod obb;
 mod our_motions;

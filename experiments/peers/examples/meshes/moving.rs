@@ -8,14 +8,13 @@
 use std::time::Instant;
 
 use anyhow::{Context, Error};
-use experiments::hierarchies::mesh;
+use experiments::hierarchies::{Course, MovedMesh, mesh, middles_apart};
 use families::source::RandomSource;
 use parry3d_f64::query::{NonlinearRigidMotion, cast_shapes_nonlinear, intersection_test};
 use zonotope::Pose;
 use zonotope::bvh::{Aabb, OrientedBox, Zonotope4};
 use zonotope::motion::Motion;
 
-use super::draws::{Body, Course, courses, middles_apart};
 use super::our_motions::{Tallied, closest, race as race_ours};
 use super::parry;
 
@@ -64,13 +63,13 @@ pub fn race(count: usize) -> anyhow::Result<()> {
     );
     println!("{COLUMNS}");
     for name in MESHES {
-        let body = Body::of(&mesh(name).map_err(Error::msg)?)?;
+        let body = MovedMesh::of(&mesh(name).map_err(Error::msg)?).map_err(Error::msg)?;
         for turn in TURNS {
             let mut source = RandomSource::new(1);
-            let pairs = (0..count).map(|_| courses(&body, &mut source, f64::from(turn).to_radians()));
-            let pairs = pairs.collect::<anyhow::Result<Vec<_>>>()?.into_flattened();
+            let pairs = (0..count).map(|_| body.courses(&mut source, f64::from(turn).to_radians()));
+            let pairs = pairs.collect::<Result<Vec<_>, String>>().map_err(Error::msg)?.into_flattened();
             let motions = pairs.iter().map(|[a, b]| Ok([a.rational()?, b.rational()?]));
-            let motions = motions.collect::<anyhow::Result<Vec<[Motion; 2]>>>()?;
+            let motions = motions.collect::<Result<Vec<[Motion; 2]>, String>>().map_err(Error::msg)?;
             let times = closest(&body, &motions)?;
             for tallied in [
                 race_ours::<Aabb>(&body, &motions, &times)?,
@@ -85,7 +84,7 @@ pub fn race(count: usize) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn casts(body: &Body, pairs: &[[Course; 2]]) -> anyhow::Result<Casts> {
+fn casts(body: &MovedMesh, pairs: &[[Course; 2]]) -> anyhow::Result<Casts> {
     let shape = parry::mesh(&body.mesh)?;
     let mut casts = Casts::default();
     let mut spent = 0.0;
@@ -93,7 +92,7 @@ fn casts(body: &Body, pairs: &[[Course; 2]]) -> anyhow::Result<Casts> {
         if spent > LONGEST {
             break;
         }
-        let [a, b] = pair.each_ref().map(Course::at_constant_rate);
+        let [a, b] = pair.each_ref().map(parry::at_constant_rate);
         let start = Instant::now();
         let cast = cast_shapes_nonlinear(&a, &shape, &b, &shape, 0.0, 1.0, true);
         let time = start.elapsed().as_secs_f64();
@@ -134,7 +133,7 @@ fn placed(motion: &NonlinearRigidMotion, time: f64) -> Option<Pose> {
 }
 
 /// The first sampled time at which the meshes overlap.
-fn first_overlap(body: &Body, poses: impl Fn(f64) -> Option<[Pose; 2]>) -> anyhow::Result<Option<f64>> {
+fn first_overlap(body: &MovedMesh, poses: impl Fn(f64) -> Option<[Pose; 2]>) -> anyhow::Result<Option<f64>> {
     for i in 0..=SAMPLES {
         let time = i as f64 / SAMPLES as f64;
         let [a, b] = poses(time).context("a pose leaves the range of doubles")?;

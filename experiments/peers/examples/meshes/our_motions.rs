@@ -3,14 +3,13 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use anyhow::{Context, bail};
+use anyhow::{Error, bail};
+use experiments::hierarchies::{MovedMesh, poses_of};
 use zonotope::bvh::{BoundingVolume, Bvh};
 use zonotope::motion::Motion;
 use zonotope::motion::continuous::by_control_points::DEFAULT_RESOLUTION;
 use zonotope::motion::continuous::of_meshes::{MeshContact, first_contact, first_contact_counted};
 use zonotope::tally::{Operation, OperationCounts};
-
-use super::draws::{Body, poses_of};
 
 /// The least of so many rounds is the time of a motion, and of a static question.
 const ROUNDS: [usize; 2] = [3, 5];
@@ -42,12 +41,12 @@ pub fn timed<T>(rounds: usize, ask: impl Fn() -> T) -> f64 {
 }
 
 /// The closest times of motions.
-pub fn closest(body: &Body, motions: &[[Motion; 2]]) -> anyhow::Result<Vec<f64>> {
-    motions.iter().map(|pair| Ok(body.nearest(SAMPLES, |time| poses_of(pair, time))?.1)).collect()
+pub fn closest(body: &MovedMesh, motions: &[[Motion; 2]]) -> anyhow::Result<Vec<f64>> {
+    motions.iter().map(|pair| Ok(body.nearest(pair, SAMPLES).map_err(Error::msg)?.1)).collect()
 }
 
 /// All motions by one volume; `closest` has their closest times.
-pub fn race<V: BoundingVolume>(body: &Body, motions: &[[Motion; 2]], closest: &[f64]) -> anyhow::Result<Tallied> {
+pub fn race<V: BoundingVolume>(body: &MovedMesh, motions: &[[Motion; 2]], closest: &[f64]) -> anyhow::Result<Tallied> {
     let hierarchy = Bvh::<V>::build(&body.mesh);
     let both = [&hierarchy; 2];
     let mut tallied = Tallied {
@@ -70,7 +69,7 @@ pub fn race<V: BoundingVolume>(body: &Body, motions: &[[Motion; 2]], closest: &[
         if case > 0 {
             continue;
         }
-        let [a, b] = poses_of(pair, *closest).context("a pose leaves the range of doubles")?;
+        let [a, b] = poses_of(pair, *closest).map_err(Error::msg)?;
         let mut of_static = OperationCounts::default();
         if hierarchy.at(&a).witness(hierarchy.at(&b), &mut of_static).is_some() {
             bail!("meshes that are proved apart meet at {closest}");

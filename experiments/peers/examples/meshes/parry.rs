@@ -2,11 +2,12 @@
 //! of one mesh in turn, and in doubles also its pairs of leaves of two trees with a test of turned boxes.
 
 use anyhow::Context;
+use experiments::hierarchies::Course;
 use parry3d::shape::TriMesh as SingleMesh;
 use parry3d_f64::glamx::{DMat3, DQuat, DVec3};
 use parry3d_f64::math::{Pose as ParryPose, Vector};
 use parry3d_f64::partitioning::BvhNode;
-use parry3d_f64::query::intersection_test;
+use parry3d_f64::query::{NonlinearRigidMotion, intersection_test};
 use parry3d_f64::shape::TriMesh;
 use zonotope::Pose;
 use zonotope::bvh::Mesh;
@@ -22,6 +23,14 @@ const AXES: usize = 6;
 pub fn isometry(pose: &Pose) -> ParryPose {
     let rows = DMat3::from_cols_array_2d(&pose.matrix());
     ParryPose::from_parts(DVec3::from_array(pose.translation()), DQuat::from_mat3(&rows.transpose()))
+}
+
+/// The motion at constant rate between the poses of a course.
+pub fn at_constant_rate(course: &Course) -> NonlinearRigidMotion {
+    let [w, x, y, z] = course.first;
+    let [from, to, axis] = [course.from, course.to, course.axis].map(DVec3::from_array);
+    let start = ParryPose::from_parts(from, DQuat::from_xyzw(x, y, z, w));
+    NonlinearRigidMotion::new(start, Vector::ZERO, to - from, axis * course.angle)
 }
 
 /// The mesh in doubles.
