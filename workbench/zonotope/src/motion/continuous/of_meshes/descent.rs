@@ -150,13 +150,12 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         self.free.push(FreePair { parts: pair.parts, stretch: FreeStretch { from, until, direction } });
     }
 
-    /// Halves a stretch on which the nodes go far, or else opens a node.
+    /// Halves a stretch on which the nodes go far, or else opens a node. Where it is not known how far they go, shorter
+    /// stretches would not tell it either.
     fn refine(&mut self, pair: Open<'a, V>, nodes: [usize; 2], far: f64) {
         let sizes = [0, 1].map(|i| self.parts[i].size(nodes[i]));
-        let is_far = pair.slice.width() > SHORT_STRETCH
-            && self.parts[1]
-                .body(nodes[1])
-                .is_some_and(|body| pair.slice.way_of(&body.center(), sizes[1]) > far * sizes[0].max(sizes[1]));
+        let way = self.parts[1].body(nodes[1]).and_then(|body| pair.slice.way_of(&body.center(), sizes[1]));
+        let is_far = pair.slice.width() > SHORT_STRETCH && way.is_some_and(|way| way > far * sizes[0].max(sizes[1]));
         if is_far { self.cut(&pair, pair.slice.middle(), [None; 2]) } else { self.open_nodes(&pair, nodes) }
     }
 

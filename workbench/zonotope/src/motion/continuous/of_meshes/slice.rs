@@ -90,16 +90,17 @@ impl<'a, V: BoundingVolume> Slice<'a, V> {
         question.as_ref().map(|question| question.are_apart(question.ordered(nodes)))
     }
 
-    /// About how far a ball of the second mesh goes during the stretch as the first mesh sees it.
-    pub(super) fn way_of(&self, center: &[f64; 3], radius: f64) -> f64 {
+    /// About how far a ball of the second mesh goes during the stretch as the first mesh sees it; `None` where that
+    /// leaves the range of doubles.
+    pub(super) fn way_of(&self, center: &[f64; 3], radius: f64) -> Option<f64> {
         let change = self.change.get_or_init(|| {
             let ((from, begin), (to, end)) = (self.scene.seen_at(self.times[0])?, self.scene.seen_at(self.times[1])?);
             let rotation: [[f64; 3]; 3] = [0, 1, 2].map(|i| [0, 1, 2].map(|j| to[i][j] - from[i][j]));
             let norm = euclidean_norm(&rotation.each_ref().map(euclidean_norm));
             Some(Change { rotation, translation: [0, 1, 2].map(|k| end[k] - begin[k]), norm })
         });
-        let Some(Change { rotation, translation, norm }) = change else { return f64::INFINITY };
+        let Change { rotation, translation, norm } = change.as_ref()?;
         let way = [0, 1, 2].map(|k| dot(&rotation[k], center) + translation[k]);
-        euclidean_norm(&way) + norm * radius
+        Some(euclidean_norm(&way) + norm * radius).filter(|way| way.is_finite())
     }
 }

@@ -2,12 +2,13 @@
 
 use super::super::brute_force::{Placement, gap_of_corners};
 use super::super::tests::random_parts;
-use super::{FreePair, MeshContact, NotRational, Part, first_contact};
+use super::{FreePair, MeshContact, NotRational, Part, first_contact, first_contact_counted};
 use crate::bvh::{Aabb, BoundingVolume, Bvh, Dop18, Mesh, OrientedBox, Sphere, Zonotope6};
 use crate::motion::{Motion, MotionPiece};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
 use crate::property_cases;
+use crate::tally::{Operation, OperationCounts};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -222,6 +223,46 @@ fn the_answer_is_the_same_at_every_size() {
         let over = first_contact(hierarchies.each_ref(), [&turned(5.0 * size), &Motion::rest()]).expect("rational");
         let MeshContact::Contact { time, .. } = over else { panic!("{size}: {over:?}") };
         assert!(time[0] < 0.8 + 1e-9 && time[1] > 0.8 - 1e-9, "{size}: {time:?}");
+    }
+}
+
+/// Placements outside of the range of doubles do not tell how far a node goes: a fuzzer found that the whole time was
+/// halved to a millionth then.
+#[test]
+fn numbers_of_very_different_sizes_take_few_stretches() {
+    let mesh = |vertices: &[[f64; 3]], triangles: &[[u32; 3]]| {
+        Mesh::new(vertices.to_vec(), triangles.to_vec()).expect("a mesh")
+    };
+    let moved = |from: [f64; 4], to: [f64; 4], axis_point: [f64; 3], translation: [f64; 3]| MotionPiece {
+        from,
+        ..piece(to, axis_point, translation)
+    };
+    let scenes = [
+        (
+            mesh(&[[1.0, 4.6e28, 3.0], [-7.4e-80, -3.0, -3.0]], &[[1, 1, 1], [1, 1, 0]]),
+            mesh(&[[2.8e76, -7e71, -2.0], [4.7e57, -3.0, 3.7e307]], &[[1, 1, 1], [0, 0, 1], [1, 0, 0]]),
+            moved([3.0, 2.0, -1.0, -1.0], [3.0, -1.0, 1.0, -2.0], [-1.0, 2.0, 0.0], [1.0, 0.0, 1.0]),
+        ),
+        (
+            mesh(
+                &[[-3.0, 0.0, 0.0], [3.0, -3.0, 2.6e-51], [-1.0, -3.0, 0.0], [7e-242, -7.3e130, -3.5e-93]],
+                &[[1, 0, 0], [3, 2, 1], [2, 3, 1]],
+            ),
+            mesh(&[[-3.1e-70, -1.5e227, 2.0], [1.0, -8.4e-276, 3.3e196]], &[[1, 1, 0]]),
+            moved([2.0, 1.0, 1.0, 2.0], [3.0, 1.0, -2.0, 0.0], [0.0, 1.0, 1.0], [-1.0, 5.0, 0.0]),
+        ),
+    ];
+    for (a, b, moving) in scenes {
+        let hierarchies = [&a, &b].map(Bvh::<OrientedBox>::build);
+        let hierarchies = hierarchies.each_ref();
+        let motion = Motion::from_pieces(&[moving]).expect("the parts are a motion");
+        let mut counts = OperationCounts::default();
+        let found = first_contact_counted(hierarchies, [&motion, &Motion::rest()], 2f64.powi(-30), &mut counts);
+        let Ok(MeshContact::Separate { free }) = found else { panic!("{found:?}") };
+        free.iter().for_each(|pair| check_pair(hierarchies, [&[moving], &[rest()]], pair));
+        check_cover(hierarchies, &free, 1.0);
+        let looked_at = counts.get(Operation::NodeTest) + counts.get(Operation::TriangleTest);
+        assert!(looked_at < 100, "{looked_at}");
     }
 }
 
