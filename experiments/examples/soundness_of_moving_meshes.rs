@@ -1,9 +1,9 @@
 //! Two copies of a mesh that move fast: each answer is held to samples with a bound of how far the meshes move between
 //! them. Beside it are the collisions that samples at equal steps miss on the same motions.
 //!
-//! `cargo run --release -p experiments --features studies --example soundness_of_moving_meshes -- 500 teapot` asks about
-//! twice so many motions of each mesh that is named and each greatest turn. A collision that is missed ends the program
-//! with an error.
+//! `cargo run --release -p experiments --features studies --example soundness_of_moving_meshes -- 500 teapot torus`
+//! asks about twice so many motions of each mesh that is named and each greatest turn. A collision that is missed ends
+//! the program with an error.
 
 use std::process::ExitCode;
 use std::time::Instant;
