@@ -2,8 +2,8 @@
 //! them. Beside it are the collisions that samples at equal steps miss on the same motions.
 //!
 //! `cargo run --release -p experiments --features studies --example soundness_of_moving_meshes -- 500 teapot torus`
-//! asks about twice so many motions of each mesh that is named and each greatest turn. A collision that is missed ends
-//! the program with an error.
+//! asks about 500 motions that pass and 500 that come nearer, of each mesh that is named and each greatest turn. A
+//! collision that is missed ends the program with an error.
 
 use std::process::ExitCode;
 use std::time::Instant;

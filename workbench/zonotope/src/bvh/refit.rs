@@ -82,7 +82,7 @@ fn join<A: Send, B: Send>(triangles: usize, a: impl FnOnce() -> A + Send, b: imp
 
 /// Points with the hull of all, each once.
 fn on_hull(mut points: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
-    // those of two children are in order each, which a stable sort merges in one pass
+    // the corners of each child are in order already: a stable sort merges both runs in one pass
     points.sort_by(|a, b| {
         let by_axis = |k: usize| a[k].total_cmp(&b[k]);
         by_axis(0).then_with(|| by_axis(1)).then_with(|| by_axis(2))

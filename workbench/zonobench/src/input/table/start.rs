@@ -290,7 +290,7 @@ fn sizes(text: &Text, first: &ByteRecord) -> Option<(String, Vec<usize>)> {
     let is_numbered = sizes.len() == 4 && count > 1;
     let is_certain = width != first.len() || is_numbered || (count >= COUNTED && (are_fractions || count > CERTAIN));
     let in_words = format!("the first row ({}), which says the sizes of the table", cells(first).join(", "));
-    // no list of the coordinates: a row that is a point may name any number of them
+    // the coordinates are not listed: a row that is a point may be read as naming any number of them
     let others = if sizes.len() < 4 { Vec::new() } else { std::iter::once(0).chain(1 + sizes[1]..width).collect() };
     (count == sizes[0] && is_certain).then_some((in_words, others))
 }

@@ -329,3 +329,40 @@ impl<const K: usize, const B: usize> BoundingVolume for Zonotope<K, B> {
         expected_overlaps_of_generators(&self.generators)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    /// Corners and points near them, in flat bodies as well: what the quick test holds, the exact location holds.
+    #[test]
+    fn a_point_that_is_held_but_for_the_margin_lies_in_the_body() {
+        let mut random = Pcg64::seed_from_u64(7);
+        let (mut held, mut outside) = (0, 0);
+        for case in 0..60 {
+            let directions: Vec<[f64; 3]> = (0..3)
+                .map(|_| [0; 3].map(|_| random.random_range(-1.0..1.0)))
+                .map(|v: [f64; 3]| v.map(|c| c / euclidean_norm(&v)))
+                .collect();
+            let half_lengths = vec![1.0, [1.0, 1e-3, 1e-9][case % 3], 0.5];
+            let center = [0; 3].map(|_| random.random_range(-0.1..0.1));
+            let found = Zonotope3::with_margin(&Fitted { center, directions, half_lengths }, FITTED_MARGIN);
+            let body = found.body().expect("it is finite");
+            let inverse = found.inverse_of_three().expect("the generators span space");
+            for beside in [0.0, 0.5, 4.0] {
+                let shares = [0; 3].map(|_| [-1.0, 0.5, 1.0][random.random_range(0..3)]);
+                let point = std::array::from_fn(|axis| {
+                    let at: f64 = (0..3).map(|k| shares[k] * found.generators[k][axis]).sum();
+                    center[axis] + at + beside * found.margin * random.random_range(-1.0..1.0)
+                });
+                let is_inside = body.contains(point) == Ok(true);
+                assert!(is_inside || !found.holds_but_for_margin(&inverse, &point), "{found:?} {point:?}");
+                held += usize::from(found.holds_but_for_margin(&inverse, &point));
+                outside += usize::from(!is_inside);
+            }
+        }
+        assert!(held >= 120 && outside >= 20, "{held} held, {outside} outside");
+    }
+}
