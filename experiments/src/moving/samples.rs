@@ -18,9 +18,10 @@ pub enum Samples {
 }
 
 impl Samples {
-    /// Holds the time until `end`, in which two bodies are said not to meet, to at most `limit` samples. The bodies are
-    /// as far apart as `distance_at` says, from below, and come nearer by no more than `speed` a unit of time; where the
-    /// distance is zero, `meet` says whether they overlap by more than rounding.
+    /// Holds the time until `end`, in which two bodies are said not to meet, to at most `limit` samples.
+    ///
+    /// The bodies are as far apart as `distance_at` says, from below, and come nearer by no more than `speed` a unit of
+    /// time; where the distance is zero, `meet` says whether they overlap by more than rounding.
     pub fn of_free_time(
         end: f64,
         speed: f64,
