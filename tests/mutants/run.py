@@ -1,20 +1,22 @@
-r"""The score of a library's own tests: how many small faults, each put in alone, make one of them fail.
+r"""The score of a library's tests: how many small faults, each put in alone, make one of them fail.
 
     python3 tests/mutants/run.py verifier
     python3 tests/mutants/run.py zonotope --only numeric --only collision/proof --tests numeric:: --tests collision:: \
         --sample 300
 
-It needs Rust and a C compiler. All faults are built at once, each behind a switch that is read when a test runs, so a
-library takes minutes to hours and not days. Each test is run once without a fault and tells which switches it passes;
-a fault is then tried on those tests alone that pass its switch, the quickest first, until one fails or does not end.
-The list of what no test noticed is target/mutants/LIBRARY/noticed_by_none; every line of it is a test that is missing,
-or says the same as the right program. A run that is broken off goes on where it was; --anew begins again.
+A library's tests are its own and those of TESTS_BESIDE. It needs Rust and a C compiler. All faults are built at once,
+each behind a switch that is read when a test runs, so a library takes minutes to hours and not days. Each test is run
+once without a fault and tells which switches it passes; a fault is then tried on those tests alone that pass its
+switch, the quickest first, until one fails or does not end, as many faults at a time as there are cores. The list of
+what no test noticed is target/mutants/LIBRARY/noticed_by_none; every line of it is a test that is missing, or says the
+same as the right program. A run that is broken off goes on where it was; --anew begins again.
 """
 
 from __future__ import annotations
 
 import argparse
 import collections
+import concurrent.futures
 import json
 import os
 import random
@@ -51,6 +53,9 @@ pub mod mutants {
 }
 """
 
+TESTS_BESIDE = {"verifier": ["planted_errors"]}
+"""What else is written to hold a library: programs of tests/tests, which ask it about changed answers of every kind."""
+
 LONGEST_TEST = 120.0
 """Seconds of a test that is used: one that takes longer is left out, and said so."""
 
@@ -72,7 +77,8 @@ class Library:
         self.folder = self.tree / "workbench" / name
         self.package = f"zonotope-{name}" if name == "verifier" else name
         self.only, self.filters = only, filters
-        self.binary = self.work / "tests"
+        # A program of tests and the folder in which it runs.
+        self.programs = {"lib": self.folder, **{beside: self.tree / "tests" for beside in TESTS_BESIDE.get(name, [])}}
 
     def files(self) -> list[str]:
         """The files that get faults: no tests, and not the root."""
@@ -107,8 +113,10 @@ class Library:
             if not found:
                 raise SystemExit(told)
             skipped.write_text(" ".join([*(skipped.read_text().split() if skipped.exists() else []), *found]))
-        told = output("cargo", "test", "-p", self.package, "--lib", "--no-run", cwd=self.tree)
-        shutil.copy(self.tree / re.findall(r"Executable unittests src/lib.rs \((.*)\)", told)[0], self.binary)
+        for program in self.programs:
+            which = ("-p", self.package, "--lib") if program == "lib" else ("-p", "tests", "--test", program)
+            told = output("cargo", "test", *which, "--no-run", cwd=self.tree)
+            shutil.copy(self.tree / re.findall(r"Executable .* \((.*)\)", told)[0], self.work / program)
 
     def near(self, file: str, line: int) -> list[str]:
         """The switches of a line that does not compile, or the last ones above it."""
@@ -118,46 +126,50 @@ class Library:
                 return found
         return []
 
-    def run(self, tests: list[str], seconds: float, **environment: str) -> bool | None:
-        """Whether all the tests pass; None if they do not end."""
-        words = [self.binary, "--exact", "--test-threads=1", *tests]
+    def run(self, program: str, tests: list[str], seconds: float, **environment: str) -> bool | None:
+        """Whether all the tests of a program pass; None if they do not end."""
+        words = [self.work / program, "--exact", "--test-threads=1", *tests]
         variables = {**os.environ, "PROPTEST_RNG_SEED": "1", **environment}
+        folder = self.programs[program]
         try:
-            done = subprocess.run(words, cwd=self.folder, env=variables, capture_output=True, timeout=seconds)
+            done = subprocess.run(words, cwd=folder, env=variables, capture_output=True, timeout=seconds)
         except subprocess.TimeoutExpired:
             return None
         return done.returncode == 0
 
-    def passed(self) -> dict[str, tuple[float, list[int]]]:
-        """The seconds of every test, and the switches that it passes."""
+    def passed(self) -> dict[str, dict[str, tuple[float, list[int]]]]:
+        """By program, the seconds of every test and the switches that it passes."""
         kept = self.work / "passed.json"
         if kept.exists():
             return json.loads(kept.read_text())
-        listed = output(self.binary, "--list", *self.filters, cwd=self.folder).splitlines()
-        found: dict[str, tuple[float, list[int]]] = {}
-        for test in (line.removesuffix(": test") for line in listed if line.endswith(": test")):
-            seen = self.work / "seen"
-            seen.unlink(missing_ok=True)
-            began = time.monotonic()
-            if (well := self.run([test], LONGEST_TEST, MUTANTS_PASSED=str(seen))) is not True:
-                print(f"left out, as it {'takes too long' if well is None else 'fails without a fault'}: {test}")
-                continue
-            numbers = sorted(set(map(int, seen.read_text().split()))) if seen.exists() else []
-            found[test] = (time.monotonic() - began, numbers)
+        found: dict[str, dict[str, tuple[float, list[int]]]] = {program: {} for program in self.programs}
+        for program, folder in self.programs.items():
+            listed = output(self.work / program, "--list", *self.filters, cwd=folder).splitlines()
+            for test in (line.removesuffix(": test") for line in listed if line.endswith(": test")):
+                seen = self.work / "seen"
+                seen.unlink(missing_ok=True)
+                began = time.monotonic()
+                if (well := self.run(program, [test], LONGEST_TEST, MUTANTS_PASSED=str(seen))) is not True:
+                    print(f"left out, as it {'takes too long' if well is None else 'fails without a fault'}: {test}")
+                    continue
+                numbers = sorted(set(map(int, seen.read_text().split()))) if seen.exists() else []
+                found[program][test] = (time.monotonic() - began, numbers)
         kept.write_text(json.dumps(found))
         return found
 
 
-def verdict(library: Library, number: int, tests: list[tuple[float, str]]) -> str:
-    """What the tests that pass a fault's switch make of it."""
-    if not tests:
+def verdict(library: Library, number: int, tests: dict[str, list[tuple[float, str]]]) -> str:
+    """What the tests of each program that pass a fault's switch make of it."""
+    if not any(tests.values()):
         return "not reached"
-    tests.sort()
-    for begin in range(0, len(tests), 4):
-        group = tests[begin : begin + 4]
-        well = library.run([test for _, test in group], 15 + 20 * sum(s for s, _ in group), MUTANT=str(number))
-        if well is not True:
-            return "no end" if well is None else "noticed"
+    for program, own in tests.items():
+        own.sort()
+        for begin in range(0, len(own), 4):
+            group = own[begin : begin + 4]
+            limit = 15 + 20 * sum(seconds for seconds, _ in group)
+            well = library.run(program, [test for _, test in group], limit, MUTANT=str(number))
+            if well is not True:
+                return "no end" if well is None else "noticed"
     return "not noticed"
 
 
@@ -176,19 +188,22 @@ def main() -> None:
         library.build()
         asked.write_text(now)
     passed = library.passed()
-    tests: dict[int, list[tuple[float, str]]] = collections.defaultdict(list)
-    for test, (seconds, numbers) in passed.items():
-        for number in numbers:
-            tests[number].append((seconds, test))
+    tests: dict[int, dict[str, list[tuple[float, str]]]] = collections.defaultdict(dict)
+    for program, own in passed.items():
+        for test, (seconds, numbers) in own.items():
+            for number in numbers:
+                tests[number].setdefault(program, []).append((seconds, test))
     faults = [line.split("\t") for line in (library.work / "list").read_text().splitlines()]
     if options.sample is not None and options.sample < len(faults):
         faults = sorted(random.Random(2003).sample(faults, options.sample), key=lambda fault: int(fault[0]))
     kept = library.work / "verdicts"
     known = dict(line.split("\t") for line in kept.read_text().splitlines()) if kept.exists() else {}
-    with kept.open("a") as record:
-        for number in (fault[0] for fault in faults if fault[0] not in known):
-            known[number] = verdict(library, int(number), tests[int(number)])
-            print(number, known[number], sep="\t", file=record, flush=True)
+    left = [fault[0] for fault in faults if fault[0] not in known]
+    with kept.open("a") as record, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as cores:
+        verdicts = cores.map(lambda number: verdict(library, int(number), tests[int(number)]), left)
+        for number, told in zip(left, verdicts, strict=True):
+            known[number] = told
+            print(number, told, sep="\t", file=record, flush=True)
     table: dict[str, collections.Counter[str]] = collections.defaultdict(collections.Counter)
     for number, place, *_ in faults:
         folder = str(Path(place.split(":")[0]).parent).removeprefix("src")
