@@ -2,8 +2,8 @@
 //!
 //! The directions span space, and every pair of them has its normal here, so the body is cut out by its normals however
 //! short a generator is. Beside the generators the body has a cube: the margin, which takes up all rounding of the fit.
-//! A test goes along the facet normals of both bodies, eight at a time; of three and four generators along the normals
-//! of pairs of edges of both as well where they do not overlap deeply, which makes the test nearly complete.
+//! A test goes along the facet normals of both bodies, eight at a time; where they do not overlap deeply, along the
+//! normals of pairs of long edges of both as well, which makes the test nearly complete.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
@@ -23,12 +23,19 @@ const LARGEST_MARGIN: f64 = 0.01;
 /// Normals side by side.
 const LANES: usize = 8;
 
-/// The most generators of bodies that are tested along the normals of pairs of edges, too: these fill two blocks.
-const MOST_GENERATORS_OF_EDGES: usize = 4;
+/// The generators of each body, the longest ones, whose pairs are the edges that are tried: their normals fill two
+/// blocks.
+const GENERATORS_OF_EDGES: usize = 4;
 
-/// Bodies whose largest gap along facets is below the opposite of this share of the distance of their centres overlap
-/// so deeply that the normals of edges are not tried.
-const DEEP: f64 = 0.3;
+/// The depth of an overlap along facets, as a share of the distance of the centres, up to which the normals of edges are
+/// tried: of bodies of at most four generators, and of more. These have more facets beside their edges, so that where
+/// they overlap deeply along all facets an edge seldom tells more. Both were found by trial.
+const SHALLOW: [f64; 2] = [0.3, 0.06];
+
+/// The depth up to which the edges of a body of so many generators are tried.
+const fn shallow(generators: usize) -> f64 {
+    SHALLOW[(generators > GENERATORS_OF_EDGES) as usize]
+}
 
 /// Eight normals: their coordinates, and how far the generators reach along each; as far as doubles go where there is
 /// no normal, which a ratio of 0 leaves a number.
@@ -42,13 +49,13 @@ impl Facets {
     const NONE: Self = Self { normals: [[0.0; LANES]; 3], reaches: [f64::MAX; LANES] };
 }
 
-/// The first generators of a body, the blocks of the normals of their pairs, and whether the normals of an edge of each
-/// of two such bodies are tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The first generators of a body, the blocks of the normals of their pairs, and up to which share of the distance of
+/// the centres bodies may overlap along facets when the normals of edges are tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Used {
     pub(super) generators: usize,
     pub(super) blocks: usize,
-    pub(super) edges: bool,
+    pub(super) shallow: f64,
 }
 
 impl Used {
@@ -107,7 +114,12 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     fn with_margin(fitted: &Fitted, margin: f64) -> Self {
         let mut directions = [[0.0; 3]; K];
         let mut generators = [[0.0; 3]; K];
-        for (k, (direction, half)) in fitted.directions.iter().zip(&fitted.half_lengths).enumerate() {
+        let mut fits: Vec<(&[f64; 3], f64)> =
+            fitted.directions.iter().zip(fitted.half_lengths.iter().copied()).collect();
+        if fits.len() > GENERATORS_OF_EDGES {
+            fits.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+        }
+        for (k, (direction, half)) in fits.into_iter().enumerate() {
             directions[k] = *direction;
             generators[k] = direction.map(|c| c * half);
         }
@@ -129,13 +141,13 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     }
 
     /// All generators and normals.
-    const ALL: Used = Used { generators: K, blocks: B, edges: K <= MOST_GENERATORS_OF_EDGES };
+    const ALL: Used = Used { generators: K, blocks: B, shallow: shallow(K) };
 
-    /// The generators and the blocks of normals that are not zero; edges of three generators alone.
+    /// The generators and the blocks of normals that are not zero.
     pub(super) fn used(&self) -> Used {
         let generators = self.directions.iter().filter(|direction| **direction != [0.0; 3]).count();
         let blocks = self.facets.iter().filter(|facets| **facets != Facets::NONE).count();
-        Used { generators, blocks, edges: generators == 3 }
+        Used { generators, blocks, shallow: shallow(generators) }
     }
 
     /// The largest gap along the normals that are tried, of bodies of which so much is used, or one that is above
@@ -219,7 +231,9 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         others: &[[f64; 3]],
     ) -> f64 {
         let mut normals = [[0.0; 2 * LANES]; 3];
-        let pairs = self.directions[..count].iter().flat_map(|own| edges.iter().map(move |edge| cross(own, edge)));
+        let pairs = self.directions[..count.min(GENERATORS_OF_EDGES)]
+            .iter()
+            .flat_map(|own| edges.iter().map(move |edge| cross(own, edge)));
         for (place, normal) in pairs.take(2 * LANES).enumerate() {
             (0..3).for_each(|axis| normals[axis][place] = normal[axis]);
         }
@@ -254,15 +268,16 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         let ours = own.turned(&self.generators, |g| frame.turned_back(g));
         let (ours, turned) = (&ours[..own.generators], frame.turned_back(&apart));
         let gap = gap.max(other.gap_along_facets(simd, others.blocks, &turned, ours, frame.ratio));
-        let is_shallow = gap > 0.0 || gap * gap <= DEEP * DEEP * dot(&apart, &apart);
-        if !(own.edges && others.edges && gap <= margins && is_shallow) {
+        let shallow = own.shallow.min(others.shallow);
+        let is_shallow = gap > 0.0 || gap * gap <= shallow * shallow * dot(&apart, &apart);
+        if !(gap <= margins && is_shallow) {
             return gap - margins;
         }
         let edges = others.turned(&other.directions, |d| {
             let [a, b, c] = &frame.inverse_rotation;
             [0, 1, 2].map(|k| a[k] * d[0] + b[k] * d[1] + c[k] * d[2])
         });
-        let edges = &edges[..others.generators];
+        let edges = &edges[..others.generators.min(GENERATORS_OF_EDGES)];
         gap.max(self.gap_along_edges(simd, own.generators, &apart, edges, theirs)) - margins
     }
 }
