@@ -101,3 +101,89 @@ fn check_direction(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A point that is `x` to the right of the middle of a box of half-lengths `half`.
+    fn in_a_box(half: [f64; 2], x: f64) -> Displaced {
+        let generators = [[0.5 * half[0], 0.0], [0.0, half[1]], [-0.5 * half[0], 0.0]];
+        Displaced::new(&[0.0, 0.0], &[x, 0.0], &generators).expect("finite")
+    }
+
+    fn verdict(question: &Displaced, lower: f64, upper: f64, direction: &[f64]) -> Result<(), Stop> {
+        let answer = PenetrationAnswer { lower, upper, direction: direction.to_vec() };
+        check_penetration(question, Status::Inside, &answer)
+    }
+
+    fn is_wrong(found: Result<(), Stop>) -> bool {
+        matches!(found, Err(Stop::Wrong(_)))
+    }
+
+    #[test]
+    fn the_depth_in_a_box() {
+        // the nearest side is the right one, one away
+        let question = in_a_box([1.5, 4.0], 0.5);
+        for direction in [[1.0, 0.0], [3.0, 0.0], [1.0, 1e-17]] {
+            assert!(verdict(&question, 1.0, 1.0, &direction).is_ok(), "{direction:?}");
+            assert!(verdict(&question, 0.995, 1.0, &direction).is_ok());
+        }
+        for bounds in [[1.25, 1.25], [0.5, 0.75], [1.0, 0.995], [-1.0, 1.0], [f64::NAN, 1.0], [1.0, f64::NAN]] {
+            assert!(is_wrong(verdict(&question, bounds[0], bounds[1], &[1.0, 0.0])), "{bounds:?}");
+        }
+        for bounds in [[f64::INFINITY; 2], [1.0, f64::INFINITY]] {
+            assert!(is_wrong(verdict(&question, bounds[0], bounds[1], &[1.0, 0.0])), "{bounds:?}");
+        }
+        // bounds that hold and are too far apart prove too little
+        for bounds in [[0.98, 1.0], [1.0, 1.02], [0.0, 1.0]] {
+            let found = verdict(&question, bounds[0], bounds[1], &[1.0, 0.0]);
+            assert!(matches!(found, Err(Stop::Unchecked(_))), "{bounds:?}");
+        }
+        // to the left it is two deep, upwards four, and a little turned a little more than one
+        let wrong: [&[f64]; 7] =
+            [&[-1.0, 0.0], &[0.0, 1.0], &[1.0, 0.25], &[0.0, 0.0], &[1.0], &[1.0, 0.0, 0.0], &[1.0, f64::NAN]];
+        for direction in wrong {
+            assert!(is_wrong(verdict(&question, 1.0, 1.0, direction)), "{direction:?}");
+        }
+    }
+
+    #[test]
+    fn bodies_without_a_common_inner_point_have_no_depth() {
+        let question = in_a_box([1.0, 1.0], 1.0);
+        let found = |lower, upper, direction: [f64; 2]| {
+            let answer = PenetrationAnswer { lower, upper, direction: direction.to_vec() };
+            check_penetration(&question, Status::Boundary, &answer)
+        };
+        assert!(found(0.0, 0.0, [0.0, 0.0]).is_ok() && found(-0.0, 0.0, [0.0, -0.0]).is_ok());
+        for (lower, upper, direction) in [(0.25, 0.0, [0.0; 2]), (0.0, 0.25, [0.0; 2]), (0.0, 0.0, [1.0, 0.0])] {
+            assert!(is_wrong(found(lower, upper, direction)), "{lower} {upper} {direction:?}");
+        }
+    }
+
+    /// Depths next to the largest double, and beyond it.
+    #[test]
+    fn a_depth_beyond_the_doubles_has_an_infinite_bound() {
+        let (infinite, unit) = (f64::INFINITY, 2.0f64.powi(1022));
+        // in quarters of 2^1024: how far the box reaches to the right, and how far the point is there
+        let beyond = |reach: f64, x: f64| {
+            let generators = [[0.5 * reach * unit, 0.0], [0.5 * reach * unit, 0.0], [0.0, f64::MAX], [0.0, f64::MAX]];
+            Displaced::new(&[0.0, 0.0], &[x * unit, 0.0], &generators).expect("finite")
+        };
+        let deep = beyond(6.0, 0.5);
+        assert!(verdict(&deep, f64::MAX, infinite, &[1.0, 0.0]).is_ok());
+        assert!(verdict(&deep, f64::MAX, infinite, &[1.0, 0.001]).is_ok());
+        assert!(is_wrong(verdict(&deep, f64::MAX, f64::MAX, &[1.0, 0.0])));
+        for direction in [[-1.0, 0.0], [0.0, 1.0], [1.0, 0.1], [0.0, 0.0]] {
+            assert!(is_wrong(verdict(&deep, f64::MAX, infinite, &direction)), "{direction:?}");
+        }
+        // as deep as the largest double: the bound may have been rounded up
+        let largest = beyond(4.0, 2.0f64.powi(-51));
+        for upper in [f64::MAX, infinite] {
+            assert!(verdict(&largest, f64::MAX, upper, &[1.0, 0.0]).is_ok());
+        }
+        let below = beyond(4.0, 1.0);
+        assert!(verdict(&below, 3.0 * unit, 3.0 * unit, &[1.0, 0.0]).is_ok());
+        assert!(is_wrong(verdict(&below, 3.0 * unit, infinite, &[1.0, 0.0])));
+    }
+}

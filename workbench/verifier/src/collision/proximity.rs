@@ -246,4 +246,69 @@ mod tests {
         deep.parts.penetration = Some(PenetrationAnswer { lower: 0.0, upper: 0.5, direction: vec![1.0, 0.0] });
         assert!(!accepts(2.0, &deep));
     }
+
+    /// Each claim by itself: the others are right.
+    #[test]
+    fn one_wrong_claim_is_told() {
+        let touching_with = |spoil: fn(&mut ProximityAnswer)| {
+            let mut answer = touching();
+            spoil(&mut answer);
+            accepts(2.0, &answer)
+        };
+        assert!(!touching_with(|answer| answer.parts.normal = None));
+        assert!(!touching_with(|answer| answer.parts.penetration = None));
+        for normal in [&["0", "0"] as &[&str], &["1"], &["1", "0", "0"], &["-1", "0"], &["0", "1"]] {
+            let mut answer = touching();
+            answer.parts.normal = normal.iter().copied().map(Fraction::parse).collect();
+            assert!(answer.parts.normal.is_some() && !accepts(2.0, &answer), "{normal:?}");
+        }
+        let mut below = apart();
+        below.distance = -1.5;
+        assert!(!accepts(3.5, &below));
+    }
+
+    #[test]
+    fn faces_of_any_dimension_have_their_names() {
+        let bodies: [&[[f64; 3]]; 3] = [
+            &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 1.0]],
+            &[[1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [1.0, 0.5, 0.5]],
+        ];
+        let names = ["facet", "edge", "vertex"];
+        for (generators, name) in bodies.into_iter().zip(names) {
+            let body = |x| Displaced::new(&[0.0; 3], &[x, 0.0, 0.0], generators).expect("finite");
+            let features = |claimed: &str| {
+                let u = [1, 0, 0].map(IBig::from);
+                check_features(&body(4.0), generators.len(), &u, &[claimed, "vertex"].map(str::to_owned))
+            };
+            for claimed in names {
+                assert_eq!(features(claimed).is_ok(), claimed == name, "{claimed} for {name}");
+            }
+        }
+    }
+
+    /// Two squares of side 2, the second one half to the right: they meet in more than a face.
+    #[test]
+    fn squares_that_overlap_meet_in_no_face() {
+        let certificate = LocationCertificate::Witness { coefficients: vec![0.25, 0.0, 0.25, 0.25], basis: vec![] };
+        let overlapping = ProximityAnswer {
+            distance: 0.0,
+            location: LocationAnswer { status: Status::Inside, certificate },
+            nearest: [vec![0.25, 0.0], vec![0.25, 0.0]],
+            features: [INTERIOR; 2].map(str::to_owned),
+            parts: ProximityParts {
+                penetration: Some(PenetrationAnswer { lower: 1.5, upper: 1.5, direction: vec![1.0, 0.0] }),
+                ..Default::default()
+            },
+        };
+        assert!(accepts(0.5, &overlapping));
+        for at in 0..2 {
+            let mut named = overlapping.clone();
+            named.features[at] = "edge".to_owned();
+            assert!(!accepts(0.5, &named));
+        }
+        let mut shallow = overlapping;
+        shallow.parts.penetration = Some(PenetrationAnswer { lower: 1.0, upper: 1.0, direction: vec![1.0, 0.0] });
+        assert!(!accepts(0.5, &shallow));
+    }
 }

@@ -7,7 +7,7 @@
 //! | [`oriented_box`] | box along orthogonal directions that a search finds | 6 faces, 9 pairs of edges |
 //! | [`discrete_polytope`] | polytope of 18 or 26 fixed normals | 18 or 26 faces |
 //! | [`zonotope`] | zonotope of 3 to 8 generators | its own facets and the other one's; pairs of long edges where these overlap little |
-//! | [`zonotope_by_cost`] | zonotope of 3 to 6 generators, as many as cost least at the node | the same |
+//! | [`zonotope_by_cost`] | zonotope of 3 to 6 generators, as many as cost least at the node | the same, pairs of edges of 3 alone |
 //!
 //! [`shape`] has those that are zonotopes in the coordinates of their mesh. `fitting` finds directions of generators;
 //! [`least_volume`] asks it for little volume in place of few tests.

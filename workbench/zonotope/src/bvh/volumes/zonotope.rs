@@ -143,11 +143,12 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     /// All generators and normals.
     const ALL: Used = Used { generators: K, blocks: B, shallow: shallow(K) };
 
-    /// The generators and the blocks of normals that are not zero.
+    /// The generators and the blocks of normals that are not zero; edges of three generators alone, as those of more cost
+    /// a mixed pair more time than they save.
     pub(super) fn used(&self) -> Used {
         let generators = self.directions.iter().filter(|direction| **direction != [0.0; 3]).count();
         let blocks = self.facets.iter().filter(|facets| **facets != Facets::NONE).count();
-        Used { generators, blocks, shallow: shallow(generators) }
+        Used { generators, blocks, shallow: if generators == 3 { shallow(3) } else { 0.0 } }
     }
 
     /// The largest gap along the normals that are tried, of bodies of which so much is used, or one that is above
