@@ -9,7 +9,9 @@ each behind a switch that is read when a test runs, so a library takes minutes t
 once without a fault and tells which switches it passes; a fault is then tried on those tests alone that pass its
 switch, the quickest first, until one fails or does not end, as many faults at a time as there are cores. The list of
 what no test noticed is target/mutants/LIBRARY/noticed_by_none; every line of it is a test that is missing, or says the
-same as the right program. A run that is broken off goes on where it was; --anew begins again.
+same as the right program. Those of the second kind stand in equivalent/LIBRARY-*.tsv, each with its reason, and do not
+count: file, function, fault, the line from the fault on, reason. A run that is broken off goes on where it was; --anew
+begins again.
 """
 
 from __future__ import annotations
@@ -126,6 +128,19 @@ class Library:
                 return found
         return []
 
+    def places(self, faults: list[list[str]]) -> dict[str, tuple[str, ...]]:
+        """What a fault is called in a list of equivalent ones, by number: it does not name lines, which move."""
+        texts: dict[str, list[str]] = {}
+        found = {}
+        for number, place, function, change in faults:
+            path, line, column = place.split(":")
+            if path not in texts:
+                texts[path] = output("git", "show", f"HEAD:./{path}", cwd=self.folder).splitlines()
+            # A guard has no place of its own.
+            rest = "" if (line, column) == ("1", "1") else texts[path][int(line) - 1][int(column) - 1 :].rstrip()
+            found[number] = (path.removeprefix("src/"), function, change, rest)
+        return found
+
     def run(self, program: str, tests: list[str], seconds: float, **environment: str) -> bool | None:
         """Whether all the tests of a program pass; None if they do not end."""
         words = [self.work / program, "--exact", "--test-threads=1", *tests]
@@ -204,15 +219,30 @@ def main() -> None:
         for number, told in zip(left, verdicts, strict=True):
             known[number] = told
             print(number, told, sep="\t", file=record, flush=True)
+    listed = {
+        tuple(line.split("\t")[:4])
+        for path in sorted(Path(__file__).parent.glob(f"equivalent/{options.name}-*.tsv"))
+        for line in path.read_text().splitlines()
+    }
+    places = library.places(faults)
+    for number, place in places.items():
+        if place in listed and known[number] in ("not noticed", "not reached"):
+            known[number] = "equivalent"
+        elif place in listed:
+            print("listed as equivalent, and", known[number], "all the same:", *place)
+    if options.sample is None and not options.only:
+        for place in sorted(listed - set(places.values())):
+            print("listed as equivalent, and no fault:", *place)
     table: dict[str, collections.Counter[str]] = collections.defaultdict(collections.Counter)
     for number, place, *_ in faults:
         folder = str(Path(place.split(":")[0]).parent).removeprefix("src")
         table[folder.lstrip("/") or "src"][known[number]] += 1
         table["all"][known[number]] += 1
-    print("| folder | faults | noticed | no end | not noticed | not reached | score |\n|---|---|---|---|---|---|---|")
+    names = ("noticed", "no end", "not noticed", "not reached", "equivalent")
+    print(f"| folder | faults | {' | '.join(names)} | score |\n|---|---|{'---|' * len(names)}---|")
     for folder, counts in sorted(table.items(), key=lambda row: (row[0] == "all", row[0])):
-        columns = [counts[name] for name in ("noticed", "no end", "not noticed", "not reached")]
-        score = 100 * (columns[0] + columns[1]) / sum(columns)
+        columns = [counts[name] for name in names]
+        score = 100 * (columns[0] + columns[1]) / max(sum(columns[:4]), 1)
         print(f"| {folder} | {sum(columns)} | {' | '.join(map(str, columns))} | {score:.0f} % |")
     missed = [fault for fault in faults if known[fault[0]] in ("not noticed", "not reached")]
     (library.work / "noticed_by_none").write_text("".join("\t".join(fault) + "\n" for fault in missed))
