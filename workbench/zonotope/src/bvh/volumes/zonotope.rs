@@ -50,7 +50,7 @@ impl Facets {
 }
 
 /// The first generators of a body, the blocks of the normals of their pairs, and up to which share of the distance of
-/// the centres bodies may overlap along facets when the normals of edges are tried.
+/// the centres bodies may overlap along facets when the normals of edges are tried; 0 where they are not tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Used {
     pub(super) generators: usize,
@@ -270,8 +270,10 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
         let (ours, turned) = (&ours[..own.generators], frame.turned_back(&apart));
         let gap = gap.max(other.gap_along_facets(simd, others.blocks, &turned, ours, frame.ratio));
         let shallow = own.shallow.min(others.shallow);
-        let is_shallow = gap > 0.0 || gap * gap <= shallow * shallow * dot(&apart, &apart);
-        if !(gap <= margins && is_shallow) {
+        if shallow == 0.0 || gap > margins {
+            return gap - margins;
+        }
+        if gap < 0.0 && gap * gap > shallow * shallow * dot(&apart, &apart) {
             return gap - margins;
         }
         let edges = others.turned(&other.directions, |d| {
