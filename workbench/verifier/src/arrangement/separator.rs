@@ -240,4 +240,38 @@ mod tests {
         let other_tiling = [[0, 3], [0, 1], [-2, -1], [0, -3]];
         assert!(check(&generators, 1, &other_tiling).is_err());
     }
+
+    /// The lines m (x + y) + c = 0, and the level generators' lines x = c / m, are met from the smallest c / m on.
+    #[test]
+    fn of_parallel_steps_that_along_the_upper_or_left_line_comes_first() {
+        let sizes_and_heights = || (1..=3_i64).flat_map(|m| (-3..=3_i64).map(move |c| (m, c)));
+        let pairs = sizes_and_heights().flat_map(|first| sizes_and_heights().map(move |second| (first, second)));
+        for ((first, c), (second, d)) in pairs {
+            for [a, b] in [[1, 1], [-1, 0]] {
+                let generators = [(first, c), (second, d)].map(|(m, c)| [m * a, m * b, c].map(|x| x as f64));
+                let at = |height: i64| [height * a, height * b];
+                let chain = [at(first + second), at(second - first), at(-first - second)];
+                // Steps of one length tell nothing of their lines.
+                let is_right = first == second || c * second <= d * first;
+                assert_eq!(check(&generators, 0, &chain).is_ok(), is_right, "{generators:?} {chain:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_through_one_point_change_their_order_all_at_once() {
+        // The lines x + y = 0, y = 0 and −x + y = 0 meet at the origin.
+        let generators = [[1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+        assert_eq!(check(&generators, 0, &[[0, 3], [-2, 1], [-2, -1], [0, -3]]), Ok(()));
+        assert_eq!(check(&generators, 3, &[[0, 3], [2, 1], [2, -1], [0, -3]]), Ok(()));
+        let between = [
+            (1, [[0, 3], [0, 1], [-2, -1], [0, -3]]),
+            (1, [[0, 3], [-2, 1], [0, -1], [0, -3]]),
+            (2, [[0, 3], [0, 1], [2, -1], [0, -3]]),
+            (2, [[0, 3], [2, 1], [0, -1], [0, -3]]),
+        ];
+        for (k, chain) in &between {
+            assert!(check(&generators, *k, chain).expect_err("half a change").contains("no order of the lines"));
+        }
+    }
 }

@@ -114,4 +114,34 @@ mod tests {
         assert_eq!(check(&gable, [1.0, 2.0], Some((1, 1))), Ok(true));
         assert_eq!(check(&gable, [1.0, 2.5], None), Ok(true));
     }
+
+    /// The directions orthogonal to two of four generators, turned up, are gone through once more in small numbers.
+    #[test]
+    fn roofs_are_the_lowest_bounds_of_all_pairs() {
+        let mut state = 1_u64;
+        let mut next = |below: i64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as i64 % (2 * below + 1) - below
+        };
+        for _ in 0..200 {
+            let body: [[i64; 3]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| next(4)));
+            // A point of Q: a part of each generator.
+            let p0 = body.iter().fold([0, 0], |[x, y], [a, b, _]| {
+                let part = next(1);
+                [x + part * a, y + part * b]
+            });
+            let pairs = body.iter().enumerate().flat_map(|(at, v)| body[..at].iter().map(move |w| (v, w)));
+            let bounds = pairs.filter_map(|(v, w)| {
+                let [x, y, up] = [1, 2, 0].map(|k: usize| v[k] * w[(k + 1) % 3] - v[(k + 1) % 3] * w[k]);
+                let reach: i64 = body.iter().map(|[a, b, c]| (x * a + y * b + up * c).abs()).sum();
+                (up != 0).then(|| (reach - (x * p0[0] + y * p0[1]) * up.signum(), up.abs()))
+            });
+            let Some((z, up)) = bounds.min_by(|(z, up), (other, higher)| (z * higher).cmp(&(other * up))) else {
+                continue;
+            };
+            let (body, p0) = (body.map(|v| v.map(|x| x as f64)), p0.map(|x| x as f64));
+            assert_eq!(check(&body, p0, Some((z, up))), Ok(true), "{body:?} {p0:?}");
+            assert!(check(&body, p0, Some((z + 1, up))).is_err() && check(&body, p0, Some((z - 1, up))).is_err());
+        }
+    }
 }

@@ -161,4 +161,17 @@ mod tests {
         let flat = [&plain[..4], &[vec![6.0, 6.0, 5.0]]].concat();
         assert!(!check_walk(&flat, (0, 1, 1), &[(0, 2, 1), (1, 2, 1), (0, 2, -1), (1, 2, -1)]).is_right());
     }
+
+    #[test]
+    fn a_facet_is_named_by_two_generators_the_first_before_the_second() {
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|v| v.to_vec());
+        let sides = [(0, 2, 1), (1, 2, 1), (0, 2, -1), (1, 2, -1)];
+        for facet in [(1, 1, 1), (1, 0, 1), (0, 3, 1), (0, 1, 2)] {
+            let complaint = check_walk(&cube, facet, &sides).proof().expect_err("there is no such facet");
+            assert!(complaint.contains("names no facet"), "{complaint}");
+        }
+        let parallel = [&cube[..], &cube[..1]].concat();
+        let complaint = check_walk(&parallel, (0, 3, 1), &sides).proof().expect_err("the generators are parallel");
+        assert!(complaint.contains("span no facet"), "{complaint}");
+    }
 }

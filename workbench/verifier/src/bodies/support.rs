@@ -268,4 +268,25 @@ mod tests {
         assert!(check_support(&[1.0], &[0.0], &[], &nan).is_wrong());
         assert!(check_support(&[f64::NAN], &[0.0], &[], &nan).is_wrong());
     }
+
+    #[test]
+    fn rounding_is_measured_by_all_that_is_added_up() {
+        // The segment from −2 to 2, whose value may err by two parts in 10¹².
+        let check = |value: f64| {
+            let answer = SupportAnswer { value, point: vec![2.0] };
+            check_support(&[1.0], &[0.0], &[vec![1.0], vec![-1.0]], &answer)
+        };
+        assert!(check(2.0 + 1e-12).is_right() && check(2.0 - 1e-12).is_right());
+        assert!(check(2.0 + 3e-12).is_wrong() && check(2.0 - 3e-12).is_wrong());
+    }
+
+    #[test]
+    fn faces_around_the_origin_reach_beyond_the_range_of_doubles() {
+        let check = |coordinate: f64, shorter: f64| {
+            let answer = SupportAnswer { value: 0.0, point: vec![coordinate] };
+            check_support(&[0.0], &[0.0], &[vec![f64::MAX], vec![shorter]], &answer)
+        };
+        assert!(check(f64::INFINITY, 1e300).is_right() && check(f64::NEG_INFINITY, 1e300).is_right());
+        assert!(check(f64::INFINITY, 0.0).is_wrong() && check(f64::NEG_INFINITY, 0.0).is_wrong());
+    }
 }

@@ -325,6 +325,11 @@ mod tests {
         assert_eq!(five.facet_sizes, BTreeMap::from([(16, 2 * 35)]));
     }
 
+    /// The vectors (1, t, t², …) of t = 0, 1, …: no two are parallel, and as many as there are axes are independent.
+    fn many(count: i64, dimension: u32) -> Vec<Vector> {
+        (0..count).map(|t| (0..dimension).map(|power| IBig::from(t.pow(power))).collect()).collect()
+    }
+
     #[test]
     fn work_is_counted_before_it_is_begun() {
         assert_eq!(longest(&[vec![IBig::from(255), IBig::ZERO], vec![IBig::from(-256), IBig::ONE]]), 9);
@@ -334,13 +339,39 @@ mod tests {
         assert!(is_quick(MOST_STEPS, 0) && is_quick(MOST_STEPS, 191) && !is_quick(MOST_STEPS + 1, 191));
         // four words: each product counts as two
         assert!(!is_quick(MOST_STEPS, 192) && is_quick(MOST_STEPS / 2, 192) && !is_quick(MOST_STEPS / 2 + 1, 192));
-        let many = |count: i64, dimension: u32| -> Vec<Vector> {
-            (0..count).map(|t| (0..dimension).map(|power| IBig::from(t.pow(power))).collect()).collect()
-        };
         assert!(counts(4, &many(300, 4), 30).is_none() && counts(3, &many(2_000, 3), 30).is_none());
         assert!(measure(4, &many(300, 4), 4).is_none() && measure(3, &many(2_000, 3), 3).is_none());
         assert!(measure(4, &many(12, 4), 4).is_some_and(|measure| measure > IBig::ZERO));
         assert_eq!(measure(4, &many(12, 4), 3), Some(IBig::ZERO));
+    }
+
+    /// Eight lines of space take 8² · 3 products, six in four dimensions 20 · 6 · 4 and their measure 15 · 4³.
+    #[test]
+    fn numbers_are_as_long_as_the_number_of_products_lets_them_be() {
+        for (rank, count, bits) in [(3, 8, 33_727), (4, 6, 15_983)] {
+            let is_counted = |bits: u64| counts(rank, &many(count, rank as u32), bits).is_some();
+            assert!(is_counted(bits) && !is_counted(bits + 1), "{rank}");
+        }
+        let is_measured = |dimension: usize, count: i64, bits: usize| {
+            let mut long = many(count, dimension as u32);
+            long[0][0] = IBig::ONE << (bits - 1);
+            measure(dimension, &long, dimension).is_some()
+        };
+        for (dimension, count, bits) in [(3, 8, 33_727), (4, 6, 11_311)] {
+            assert!(is_measured(dimension, count, bits) && !is_measured(dimension, count, bits + 1), "{dimension}");
+        }
+        assert!(is_measured(1, 1, 1_500_000), "one length takes no products");
+    }
+
+    /// Twelve generators with numbers as long as those of doubles: 220 · 12 · 4 products count, 495 · 4³ would measure.
+    #[test]
+    fn counts_without_a_measure_are_left_unchecked() {
+        let tiny = |t: u64| (0..4).map(|power| f64::from_bits(t.pow(power))).collect::<Vec<f64>>();
+        let generators: Vec<Vec<f64>> = (1..12).map(tiny).chain([vec![2.0_f64.powi(1000), 0.0, 0.0, 0.0]]).collect();
+        let right = answer(4, [2 * (1 + 11 + 55 + 165), 12 * 2 * (1 + 10 + 45), 440], &[(8, 440)], 0);
+        let verdict = check_combinatorics(&generators, &right);
+        assert!(matches!(&verdict, Verdict::Unchecked(why) if why.contains("every face counted")), "{verdict:?}");
+        assert!(check_combinatorics(&generators, &CombinatoricsAnswer { edges: 2, ..right }).is_wrong());
     }
 
     #[test]
