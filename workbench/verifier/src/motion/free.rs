@@ -112,3 +112,61 @@ impl Moving<'_> {
 fn unproved(FreeInterval { from, to, .. }: &FreeInterval) -> String {
     format!("certificate: the direction does not separate the bodies at every time from {from:?} to {to:?}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::answer::MovingDirection;
+    use super::super::path::{Motion, MotionPiece};
+    use super::*;
+
+    /// The work that one interval takes in which nothing moves. The first body has three generators, and the second,
+    /// which is 100 away, two corners; both are turned by quaternions of so many bits.
+    fn work_on_bodies_at_rest(bits: [i32; 2], direction: MovingDirection) -> u64 {
+        let vector = |x: i32| [IBig::from(x), IBig::ZERO, IBig::ZERO];
+        let (center, reach) = (vector(0), IBig::ZERO);
+        let first = Solid { center, generators: vec![vector(1); 3], corners: Vec::new(), reach: reach.clone() };
+        let second = Solid { center: vector(100), generators: Vec::new(), corners: vec![vector(1); 2], reach };
+        let paths = bits.map(|bits| {
+            let turn = [1.0, 0.0, 0.0, 2f64.powi(1 - bits)];
+            let piece = MotionPiece { until: 1.0, from: turn, to: turn, axis_point: [0.0; 3], translation: [0.0; 3] };
+            Path::of(&Motion::Pieces(vec![piece]), Grid::at(0)).expect("a motion")
+        });
+        let mut left = 1_000_000;
+        let interval = FreeInterval { from: 0.0, to: 1.0, direction };
+        let moving = Moving { solids: [&first, &second], paths: &paths };
+        assert_eq!(moving.prove_free(&interval, &mut left), Ok(()));
+        1_000_000 - left
+    }
+
+    #[test]
+    fn the_work_grows_with_generators_corners_and_the_square_of_the_bits() {
+        let space = MovingDirection::Space([1.0, 0.0, 0.0]);
+        // Generators and corners are 5, the rest counts as 16 more, and all are measured along 6 directions.
+        let short = (5 + 16) * 6;
+        assert_eq!(work_on_bodies_at_rest([2, 2], space), short);
+        // Twice the 482 bits of both make one step more, and twice the 642 bits make two.
+        assert_eq!(work_on_bodies_at_rest([321, 161], space), short * 4);
+        assert_eq!(work_on_bodies_at_rest([321, 321], space), short * 9);
+        let along_edges = MovingDirection::Edges([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        for direction in [MovingDirection::A([1.0, 0.0, 0.0]), MovingDirection::B([1.0, 0.0, 0.0]), along_edges] {
+            assert_eq!(work_on_bodies_at_rest([2, 2], direction), (5 + 16) * 10, "{direction:?}");
+        }
+    }
+
+    #[test]
+    fn work_that_is_used_up_leaves_an_interval_unchecked() {
+        let point = |x: i32| Solid {
+            center: [IBig::from(x), IBig::ZERO, IBig::ZERO],
+            generators: Vec::new(),
+            corners: Vec::new(),
+            reach: IBig::ZERO,
+        };
+        let solids = [point(0), point(1)];
+        let paths = [&Motion::Rest; 2].map(|rest| Path::of(rest, Grid::at(0)).expect("a motion"));
+        let interval = FreeInterval { from: 0.0, to: 1.0, direction: MovingDirection::Space([1.0, 0.0, 0.0]) };
+        let proved =
+            |mut work: u64| Moving { solids: solids.each_ref(), paths: &paths }.prove_free(&interval, &mut work);
+        assert_eq!(proved(96), Ok(()));
+        assert_eq!(proved(95), Err(Stop::Unchecked(TOO_MUCH.to_owned())));
+    }
+}

@@ -260,3 +260,87 @@ fn relative([a, b]: [&Stretch; 2]) -> Vec<Matrix> {
     let zero: Quaternion = std::array::from_fn(|_| IBig::ZERO);
     rotations(&combined(&back, &b.turns, zero, super::quaternion::product, sum))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::quaternion::identity;
+    use super::*;
+
+    fn vector(v: [i32; 3]) -> Vector {
+        v.map(IBig::from)
+    }
+
+    /// A stretch stays here, and is off by angles at its ends and between them.
+    fn staying(ends_off: [i32; 2], chord: i32) -> Stretch {
+        Stretch {
+            turns: vec![identity()],
+            base: [vector([0; 3]), vector([0; 3])],
+            arm: vector([0; 3]),
+            weight: IBig::ONE,
+            ends_off: ends_off.map(IBig::from),
+            chord: IBig::from(chord),
+            axis: None,
+        }
+    }
+
+    /// The cube has the side 2, and its points have a bound of their distances from an axis.
+    fn cube(center: [i32; 3], reach: i32) -> Solid {
+        let generators = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(vector).to_vec();
+        Solid { center: vector(center), generators, corners: Vec::new(), reach: IBig::from(reach) }
+    }
+
+    #[test]
+    fn a_solid_is_as_large_as_its_generators_and_corners_are_many() {
+        let solid = Solid { corners: vec![vector([1, 2, 3]); 4], ..cube([0; 3], 0) };
+        assert_eq!((solid.size(), cube([0; 3], 0).size()), (7, 3));
+    }
+
+    #[test]
+    fn directions_are_bounded_by_their_lengths_and_edges_by_the_product_of_theirs() {
+        let (u, e, f) = (vector([3, 4, 0]), vector([0, -4, 3]), vector([0, 5, 12]));
+        let of_edges = (Direction::Edges(e, f), 65);
+        let of_vectors = [Direction::Space(u.clone()), Direction::A(u.clone()), Direction::B(u)].map(|u| (u, 5));
+        for (direction, length) in of_vectors.into_iter().chain([of_edges]) {
+            let (bound, exact) = (direction.length(), IBig::from(length) << 64_usize);
+            assert!(bound >= exact && bound <= exact + (IBig::ONE << 40_usize), "{length}");
+        }
+    }
+
+    #[test]
+    fn an_end_is_in_doubt_where_its_gap_is_the_margin_exactly() {
+        let at_the_ends = |first: i32, last: i32| {
+            let scale = vec![IBig::ONE << MARGIN_PLACES];
+            let gap = Gap {
+                placed: [first, last].map(IBig::from).to_vec(),
+                scale,
+                margin: IBig::from(5),
+                margins_at_the_ends: [IBig::from(5), IBig::from(2)],
+            };
+            gap.at_the_ends()
+        };
+        assert!(matches!(at_the_ends(6, 3), Ends::Open));
+        assert!(matches!(at_the_ends(5, 3), Ends::InDoubt) && matches!(at_the_ends(6, 2), Ends::InDoubt));
+        assert!(matches!(at_the_ends(-4, 3), Ends::InDoubt) && matches!(at_the_ends(6, -1), Ends::InDoubt));
+        assert!(matches!(at_the_ends(-5, 3), Ends::Closed) && matches!(at_the_ends(6, -2), Ends::Closed));
+    }
+
+    #[test]
+    fn points_are_off_by_the_angles_times_their_distances_from_the_axes() {
+        // The first body is off by 2 and 3 more between the ends, at the distance 7; the second by 4 and 6, at 11.
+        let stretches = [staying([1, 2], 3), staying([4, 0], 6)];
+        let solids = [cube([0; 3], 7), cube([0; 3], 11)];
+        assert_eq!(displacement(solids.each_ref(), stretches.each_ref()), IBig::from(5 * 7 + 10 * 11));
+    }
+
+    #[test]
+    fn bodies_that_stay_have_a_gap_of_one_number() {
+        let (stays, direction) = (staying([0; 2], 0), Direction::Space(vector([1, 0, 0])));
+        let bodies = [cube([0; 3], 0), cube([5, 0, 0], 0)];
+        let found = gap(bodies.each_ref(), [&stays; 2], &direction, false);
+        assert_eq!((found.placed, found.scale), (vec![IBig::from(3)], vec![IBig::ONE]));
+        // A body that goes away by 2 has one gap at the begin and another at the end.
+        let goes = Stretch { base: [vector([0; 3]), vector([2, 0, 0])], ..stays.clone() };
+        let found = gap(bodies.each_ref(), [&stays, &goes], &direction, false);
+        assert_eq!(found.placed, [3, 5].map(IBig::from));
+    }
+}

@@ -203,3 +203,106 @@ impl Placed {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The generators of the first test have this length.
+    const SIDE: i32 = 1 << 20;
+
+    /// The angle 1 / `over` in units of 2^-160.
+    fn angle(over: u32) -> IBig {
+        (IBig::ONE << ANGLE_PLACES) / IBig::from(over)
+    }
+
+    /// The first body has generators along the first two axes, and the second along the third and the first one. The
+    /// vector between the centres is a multiple of the first generator and a quarter of the last.
+    fn four_generators(first: i32, angles_off: [IBig; 2], off: IBig) -> Placed {
+        let along = |axis: usize| {
+            let mut generator = vec![IBig::ZERO; 3];
+            generator[axis] = IBig::from(SIDE);
+            generator
+        };
+        let to = vec![IBig::from(first + SIDE / 4), IBig::ZERO, IBig::ZERO];
+        let question = Displaced::of_vectors(vec![IBig::ZERO; 3], to, [0, 1, 2, 0].map(along).to_vec(), 0);
+        Placed { question, scale: IBig::from(1 << 10), angles_off, off, first: 2 }
+    }
+
+    #[test]
+    fn a_coefficient_leaves_room_for_all_that_the_placements_are_off() {
+        // The number ε is 1/32 for either generator of the first body and 1/8 for that of the second; φ is 1/16.
+        let off = IBig::from(SIDE / 16) << (ROOT_PLACES + ANGLE_PLACES - 10);
+        let (epsilon, phi) = (2.0 / 32.0 + 1.0 / 8.0, 1.0 / 16.0);
+        // The sum |x| (1 − ε) + ε + φ is at most 1 − ε.
+        let limit = (1.0 - 2.0 * epsilon - phi) / (1.0 - epsilon);
+        let told = |x: f64| {
+            let first = (x * f64::from(SIDE)).round() as i32;
+            let placed = four_generators(first, [angle(32), angle(8)], off.clone());
+            placed.prove_contact(&[f64::from(first) / f64::from(SIDE), 0.0, 0.0, 0.25], &[0, 1, 2])
+        };
+        for sign in [1.0, -1.0] {
+            assert_eq!(told(sign * (limit - 1e-4)), Ok(()));
+            let refused = told(sign * (limit + 1e-4)).expect_err("no room is left");
+            assert!(refused.contains("generator 0 is not strictly in [-1, 1]"), "{refused}");
+        }
+        assert!(told(0.0).is_ok());
+    }
+
+    #[test]
+    fn a_coefficient_may_use_all_the_room_and_no_more() {
+        // Generators (4, 0, 0), (0, 4, 0) and (0, 0, 4) of a body that is where it is, and one that is short along the
+        // first axis, with the coefficient 1/16. The vector between the centres is (3, 0, 0), so that the first
+        // coefficient is (48 - short) / 64. All points together are off by one unit, and the length 16 of a row of the
+        // inverse is rounded up to 17: that leaves a coefficient of (64 - 17) / 64.
+        let told = |short: i32| {
+            let generators = [[4, 0, 0], [0, 4, 0], [0, 0, 4], [short, 0, 0]].map(|g| g.map(IBig::from).to_vec());
+            let to = [3, 0, 0].map(IBig::from).to_vec();
+            let question = Displaced::of_vectors(vec![IBig::ZERO; 3], to, generators.to_vec(), 0);
+            let off = IBig::ONE << (ROOT_PLACES + ANGLE_PLACES);
+            let placed = Placed { question, scale: IBig::ONE, angles_off: [IBig::ZERO, IBig::ONE], off, first: 4 };
+            placed.prove_contact(&[f64::from(48 - short) / 64.0, 0.0, 0.0, 0.0625], &[0, 1, 2])
+        };
+        assert_eq!((told(1), told(2)), (Ok(()), Ok(())));
+        assert!(told(0).is_err());
+    }
+
+    #[test]
+    fn points_are_near_far_or_open_by_what_they_may_be_off() {
+        // Two points at the distance 10 are off by 1 together, and are placed in thirds of the unit.
+        let placed = |angles_off: [IBig; 2], off: u32| Placed {
+            question: Displaced::of_vectors(vec![IBig::ZERO; 3], [30, 0, 0].map(IBig::from).to_vec(), Vec::new(), 0),
+            scale: IBig::from(3),
+            angles_off,
+            off: IBig::from(off) << (ROOT_PLACES + ANGLE_PLACES),
+            first: 0,
+        };
+        let turned = placed([IBig::ONE, IBig::ZERO], 1);
+        for (distance, expected) in [
+            (11.0, Reach::Near),
+            (11.0_f64.next_down(), Reach::Open),
+            (10.0, Reach::Open),
+            (9.0, Reach::Open),
+            (9.0_f64.next_down(), Reach::Far),
+            (0.5, Reach::Far),
+        ] {
+            assert_eq!(turned.reach(distance, 0), expected, "{distance}");
+        }
+        let exact = placed([IBig::ZERO, IBig::ZERO], 0);
+        assert_eq!(exact.reach(10.0, 0), Reach::Near);
+        assert_eq!(exact.reach(10.0_f64.next_down(), 0), Reach::Far);
+    }
+
+    #[test]
+    fn nearest_points_of_exact_placements_are_looked_for_once() {
+        // One round of so many generators and bits is more than half of the work that may be done, and is enough.
+        let bits = 40_000_usize;
+        let to = vec![IBig::ONE << bits, IBig::ZERO, IBig::ZERO];
+        let question = Displaced::of_vectors(vec![IBig::ZERO; 3], to, vec![vec![IBig::ZERO; 3]; 1_000], 0);
+        let exact = [IBig::ZERO, IBig::ZERO];
+        let placed = Placed { question, scale: IBig::ONE, angles_off: exact, off: IBig::ZERO, first: 0 };
+        assert_eq!(placed.reach(1.0, 0), Reach::Far);
+        let turned = Placed { angles_off: [IBig::ONE, IBig::ZERO], off: IBig::ONE, ..placed };
+        assert_eq!(turned.reach(1.0, 0), Reach::Open);
+    }
+}

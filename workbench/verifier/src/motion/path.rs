@@ -241,3 +241,74 @@ fn without_divisor([x, y, z]: &Vector, weight: IBig) -> [IBig; 4] {
     let all = [x.clone(), y.clone(), z.clone(), weight];
     <[IBig; 4]>::try_from(reduced(all.to_vec())).unwrap_or(all)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STILL: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+    const QUARTER: [f64; 4] = [1.0, 0.0, 0.0, 1.0];
+
+    fn piece(until: f64, from: [f64; 4], to: [f64; 4]) -> MotionPiece {
+        MotionPiece { until, from, to, axis_point: [0.0; 3], translation: [0.0; 3] }
+    }
+
+    fn path(pieces: &[MotionPiece]) -> Result<Path, String> {
+        Path::of(&Motion::Pieces(pieces.to_vec()), Grid::at(0))
+    }
+
+    #[test]
+    fn quaternions_go_linearly_from_the_begin_of_a_piece_to_its_end() {
+        let path = path(&[piece(0.5, STILL, STILL), piece(1.0, STILL, QUARTER)]).expect("a motion");
+        // Times are in eighths, of which the second piece has those from 4 to 8.
+        let turns = |from: i32, to: i32| {
+            let stretches = path.stretches([&IBig::from(from), &IBig::from(to)], 3);
+            stretches.into_iter().map(|stretch| stretch.turns).collect::<Vec<_>>()
+        };
+        let of = |q: [i32; 4]| q.map(IBig::from);
+        assert_eq!(turns(5, 5), [[of([4, 0, 0, 1])]]);
+        assert_eq!(turns(6, 8), [[of([4, 0, 0, 2]), of([4, 0, 0, 4])]]);
+        assert_eq!(turns(1, 3), [[of([1, 0, 0, 0])]]);
+        assert_eq!(turns(4, 4).len(), 2, "a piece ends and another begins");
+        assert!(turns(3, 5).is_empty(), "no piece holds both times");
+    }
+
+    #[test]
+    fn the_times_of_pieces_go_up_to_one() {
+        let ends_at = |times: &[f64]| path(&times.iter().map(|&until| piece(until, STILL, STILL)).collect::<Vec<_>>());
+        assert!(ends_at(&[1.0]).is_ok() && ends_at(&[0.25, 0.5, 1.0]).is_ok());
+        for wrong in
+            [&[0.0, 1.0][..], &[0.5, 0.5, 1.0], &[0.75, 0.5, 1.0], &[1.5, 1.0], &[1.0, 1.5], &[0.5], &[-1.0, 1.0]]
+        {
+            assert!(ends_at(wrong).is_err(), "{wrong:?}");
+        }
+    }
+
+    #[test]
+    fn a_piece_turns_by_half_a_turn_at_most_and_has_quaternions_of_some_length() {
+        let turns = |from: [f64; 4], to: [f64; 4]| path(&[piece(1.0, from, to)]).is_ok();
+        assert!(turns(STILL, QUARTER) && turns(STILL, [0.0, 0.0, 0.0, 1.0]), "half a turn is the most");
+        assert!(turns([0.5, 0.5, -0.5, 0.5], [1.0, 2.0, 3.0, 4.0]));
+        assert!(!turns(STILL, [-0.125, 0.0, 0.0, 1.0]));
+        assert!(!turns([0.0; 4], STILL) && !turns(STILL, [0.0; 4]) && !turns([0.0; 4], [0.0; 4]));
+    }
+
+    #[test]
+    fn a_turn_at_constant_rate_is_one_stretch_up_to_an_angle() {
+        let motion = |angle: f64| Motion::ConstantRate {
+            axis_point: [0.0; 3],
+            axis: [0.0, 0.0, 1.0],
+            angle,
+            translation: [0.0; 3],
+        };
+        let is_one = |motion: &Motion, places: usize| {
+            let path = Path::of(motion, Grid::at(0)).expect("a motion");
+            path.is_one_stretch([&IBig::ZERO, &IBig::ONE], places)
+        };
+        // Half of the time is half of the angle.
+        for angle in [2.0, -2.0, 3.0] {
+            assert!(!is_one(&motion(angle), 0) && is_one(&motion(angle), 1), "{angle}");
+        }
+        assert!(is_one(&Motion::Rest, 0));
+    }
+}

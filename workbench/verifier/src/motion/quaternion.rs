@@ -105,4 +105,12 @@ mod tests {
             assert_eq!(of_sum[i][j], parts);
         }
     }
+
+    #[test]
+    fn products_by_hand() {
+        assert_eq!(product(&of([1, 2, 3, 4]), &of([5, 6, 7, 8])), of([-60, 12, 30, 24]));
+        let [i, j, k] = [of([0, 1, 0, 0]), of([0, 0, 1, 0]), of([0, 0, 0, 1])];
+        assert_eq!((product(&i, &j), product(&j, &k), product(&k, &i)), (k.clone(), i.clone(), j.clone()));
+        assert_eq!(product(&j, &i), conjugate(&k));
+    }
 }

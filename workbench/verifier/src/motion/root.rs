@@ -47,4 +47,14 @@ mod tests {
         assert_eq!(quotient_above(&IBig::from(7), &IBig::from(2)), IBig::from(4));
         assert_eq!(quotient_above(&IBig::from(6), &IBig::from(2)), IBig::from(3));
     }
+
+    #[test]
+    fn a_root_is_above_the_exact_one_where_a_little_is_dropped() {
+        // The bits that are kept of 2^200 + 1 are those of 2^200.
+        let square = (IBig::ONE << 200_usize) + IBig::ONE;
+        let root = root_above(&square);
+        assert!(&root * &root > square << (2 * ROOT_PLACES));
+        // A unit is left for what is dropped, even where that is nothing: (2^63 - 1)² - 1 is 2^64 (2^62 - 1).
+        assert_eq!(root_above(&((IBig::ONE << 62_usize) - IBig::ONE)), IBig::ONE << 63_usize);
+    }
 }

@@ -298,4 +298,82 @@ mod tests {
         assert!(verdict(&quarter(), [f64::NAN, 0.0, 0.0], &[]).is_wrong());
         assert!(check_sweep(&quarter(), &[0.0], &[]).is_wrong());
     }
+
+    #[test]
+    fn an_angle_is_finite_and_not_negative() {
+        let told = |angle: f64| {
+            let box_around = [[10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [0.0, 0.0, 10.0]];
+            verdict(&Sweep { angle, ..quarter() }, [0.0; 3], &box_around)
+        };
+        assert!(told(0.0).is_right() && told(1.0).is_right() && told(1e300).is_right());
+        for angle in [-1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(told(angle).is_wrong(), "{angle}");
+        }
+    }
+
+    #[test]
+    fn a_translation_leaves_a_flat_answer_that_holds_the_arc() {
+        let flat = [[0.5, 0.0, 0.0], [0.0, 0.5, 0.0]];
+        assert!(verdict(&quarter(), [0.5, 0.5, 0.0], &flat).is_wrong());
+        assert!(verdict(&Sweep { translation: vec![0.0; 3], ..quarter() }, [0.5, 0.5, 0.0], &flat).is_right());
+    }
+
+    #[test]
+    fn a_body_that_begins_outside_is_refused_where_it_begins() {
+        let question = Sweep { translation: vec![0.0; 3], ..quarter() };
+        let told = verdict(&question, [0.0, 0.5, 0.0], &[[0.875, 0.0, 0.0], [0.0, 0.5, 0.0]]);
+        assert_eq!(told, Verdict::Wrong("the placement at 0 / 2^3 of the angle is not contained".to_owned()));
+    }
+
+    #[test]
+    fn a_short_part_of_an_arc_is_found_wherever_it_sticks_out() {
+        for k in 1..=28 {
+            // The point begins below the first axis, at the angle -2 atan(k / 32), and crosses it within 1.5.
+            let t = f64::from(k) / 32.0;
+            let start = vec![(1.0 - t * t) / (1.0 + t * t), -2.0 * t / (1.0 + t * t), 0.0];
+            let question = Sweep { center: start, translation: vec![0.0; 3], ..quarter() };
+            let within = |x: f64| verdict(&question, [0.0; 3], &[[x, 0.0, 0.0], [0.0, 2.0, 0.0]]);
+            assert!(within(1.0 + 1e-15).is_right(), "{k}");
+            assert!(within(1.0 - 1e-6).is_wrong(), "{k}");
+        }
+    }
+
+    #[test]
+    fn a_body_of_many_generators_is_held_by_what_its_points_are_displaced() {
+        // The answer has 302 generators, too many facets to try; without those of the body it is a square.
+        let body = vec![vec![0.0, 0.0, 1.0 / 1024.0]; 300];
+        let question = Sweep { generators: body.clone(), translation: vec![0.0; 3], ..quarter() };
+        let told = |half: f64| {
+            let square = [vec![0.5, 0.0, 0.0], vec![0.0, half, 0.0]];
+            check_sweep(&question, &[0.5, 0.5, 0.0], &[&body[..], &square].concat())
+        };
+        assert!(told(0.5).is_right(), "{:?}", told(0.5));
+        assert!(told(0.49).is_wrong());
+    }
+
+    #[test]
+    fn a_reach_takes_a_product_for_each_generator_and_one_for_the_centre() {
+        let vector = |v: [i32; 3]| v.map(IBig::from).to_vec();
+        let mut check = Check {
+            turning: Turning::new(vector([0, 0, 1]), 1.0),
+            arm: vector([1, 2, 3]),
+            body: vec![vector([1, 0, -1]), vector([0, -2, 0])],
+            translation: vector([0; 3]),
+            products: 5,
+        };
+        // Along (3, 1, 5) the centre is at 20, and the generators reach 2 farther each.
+        assert_eq!(check.reach(&vector([3, 1, 5])), Ok(IBig::from(24)));
+        assert_eq!(check.products, 2);
+        assert!(matches!(check.reach(&vector([3, 1, 5])), Err(Stop::Unchecked(_))));
+    }
+
+    #[test]
+    fn an_answer_that_ends_a_little_before_the_arc_does_is_never_right() {
+        // The point turns by 1 and rises until then, to the sine of 1.
+        let question = Sweep { angle: 1.0, translation: vec![0.0; 3], ..quarter() };
+        let up_to = |y: f64| verdict(&question, [0.75, y / 2.0, 0.0], &[[0.25, 0.0, 0.0], [0.0, y / 2.0, 0.0]]);
+        let sine = 0.841_470_984_807_896_5;
+        assert!(up_to(sine + 1e-13).is_right() && up_to(sine - 1e-11).is_wrong());
+        assert!(matches!(up_to(sine - 1e-13), Verdict::Unchecked(_)), "no placement that is tried is so near the end");
+    }
 }

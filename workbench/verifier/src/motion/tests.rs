@@ -1,7 +1,7 @@
 //! First contacts by hand: bodies and motions whose gaps are known, and certificates that do not prove them.
 
 use super::answer::{Encounter, FirstContactAnswer, FreeInterval, MovingDirection};
-use super::check::{MovingBody, check_first_contact};
+use super::check::{MovingBody, check_first_contact, check_times};
 use super::path::{Motion, MotionPiece};
 use crate::Verdict;
 
@@ -220,5 +220,42 @@ fn what_is_no_motion_has_no_answer() {
         let intervals = vec![free(0.0, 1.0, MovingDirection::Space(X))];
         let told = verdict([ORIGIN, [9.0, 0.0, 0.0]], [&wrong, &Motion::Rest], intervals, Encounter::Separate);
         assert!(told.is_wrong(), "{wrong:?}: {told:?}");
+    }
+}
+
+#[test]
+fn cubes_that_touch_are_within_a_distance_of_zero() {
+    let told = |x: f64| {
+        let end = Encounter::Grazing { time: [0.0, 0.25], distance_at_most: 0.0 };
+        verdict([ORIGIN, [x, 0.0, 0.0]], [&Motion::Rest; 2], Vec::new(), end)
+    };
+    assert!(told(2.0).is_right() && told(1.5).is_right());
+    assert!(told(2.0_f64.next_up()).is_wrong());
+}
+
+#[test]
+fn a_point_that_turns_about_itself_touches_a_face_where_its_coefficient_is_one() {
+    // The point comes from (3, 0, 0) to the face of the cube at (1, 0, 0), and its axis comes with it
+    let cube = cube(1.0);
+    let until = 1.0 - 1.0 / 1024.0;
+    let told = |x: f64| {
+        let motion =
+            Motion::ConstantRate { axis_point: [x, 0.0, 0.0], axis: X, angle: 1.0, translation: [-2.0, 0.0, 0.0] };
+        let end = Encounter::Contact { time: [until, 1.0], coefficients: vec![1.0, 0.0, 0.0], basis: vec![0, 1, 2] };
+        let answer =
+            FirstContactAnswer { encounter: end, intervals: vec![free(0.0, until, MovingDirection::Space(X))] };
+        let first = MovingBody { center: &ORIGIN, generators: &cube, motion: &Motion::Rest };
+        let second = MovingBody { center: &[x, 0.0, 0.0], generators: &[], motion: &motion };
+        check_first_contact([first, second], 1.0 / 1024.0, &answer).in_words()
+    };
+    assert!(told(3.0).is_right(), "{:?}", told(3.0));
+    assert!(told(3.0_f64.next_up()).is_wrong());
+}
+
+#[test]
+fn two_times_of_an_encounter_go_up_from_zero_to_one() {
+    assert!(check_times([0.0, 1.0]).is_ok() && check_times([0.5, 0.5]).is_ok());
+    for wrong in [[-0.5, 0.5], [0.5, 0.25], [0.5, 1.5], [1.5, 0.5], [f64::NAN, 0.5], [0.5, f64::NAN]] {
+        assert!(check_times(wrong).is_err(), "{wrong:?}");
     }
 }

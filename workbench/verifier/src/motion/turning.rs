@@ -160,3 +160,68 @@ impl Turning {
         quotient_above(&(all << self.length_places), &self.length)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turning(axis: [f64; 3], angle: f64) -> Turning {
+        let zero = || [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+        Turning::new(zero(), zero(), axis, angle).expect("an axis")
+    }
+
+    #[test]
+    fn an_axis_and_an_angle_have_places_by_their_size() {
+        // The length 5 of the axis has three bits, and 7/2 is below 2^2.
+        let found = turning([3.0, 0.0, -4.0], -3.5);
+        assert_eq!((found.length, found.length_places), (IBig::from(5) << 158_usize, 158));
+        assert_eq!(found.axis_bits, 3);
+        assert_eq!((found.angle, found.angle_places), (IBig::from(-7), 1));
+        let quarters = [found.quarter, QuarterTurn::for_angles_below(3)].map(|quarter| format!("{quarter:?}"));
+        assert_eq!(quarters[0], quarters[1], "a bit is spare");
+    }
+
+    #[test]
+    fn a_stretch_turns_by_eight_fifths_at_most() {
+        let is_one = |angle: f64, [from, to]: [i32; 2], places: usize| {
+            turning([0.0, 0.0, 1.0], angle).is_one_stretch([&IBig::from(from), &IBig::from(to)], places)
+        };
+        for sign in [1.0, -1.0] {
+            assert!(
+                is_one(sign * 1.6_f64.next_down(), [0, 1], 0) && !is_one(sign * 1.6, [0, 1], 0),
+                "1.6 is above 8/5"
+            );
+            assert!(!is_one(sign * 2.0, [0, 1], 0) && is_one(sign * 2.0, [1, 2], 1));
+            assert!(is_one(sign * 12.0, [3, 4], 3) && !is_one(sign * 13.0, [3, 4], 3));
+        }
+    }
+
+    /// The sequence without a pattern gives a number of 32 bits at each step.
+    fn next(state: &mut u64) -> u32 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 32) as u32
+    }
+
+    #[test]
+    fn the_bound_of_a_chord_is_above_that_of_exact_numbers_by_little() {
+        // With the angle 4 a and t = a / (1 - a² / 2) the bound is 257 t³ / 1000. Near the root of 2, beyond the angles
+        // of a stretch, t is so large that each unit of a rounding shows.
+        let (places, mut state) = (170_usize, 1_u64);
+        for angle in [5.625, 1.5, -5.625, 0.125] {
+            let turning = turning([0.0, 0.0, 1.0], angle);
+            for _ in 0..50 {
+                let to = (IBig::ONE << places) - IBig::from(next(&mut state));
+                let found = turning.chord([&IBig::ZERO, &to], places);
+                // The angle a is A / m, so that t is 2 A m / (2 m² - A²).
+                let a = turning.angle_between([&IBig::ZERO, &to]);
+                let m = IBig::ONE << (places + turning.angle_places + 2);
+                let [above, below] = [IBig::from(2) * &a * &m, IBig::from(2) * &m * &m - &a * &a];
+                let exact = (IBig::from(257) * &above * &above * &above) << ANGLE_PLACES;
+                let over = IBig::from(1000) * &below * &below * &below;
+                let found = found * &over;
+                assert!(found >= exact, "{angle} {to}");
+                assert!(found <= &exact + (&exact >> 140_usize) + over * IBig::from(4), "{angle} {to}");
+            }
+        }
+    }
+}

@@ -118,4 +118,36 @@ mod tests {
         assert_eq!(left_out(slab(2, 0.0), Vec::new())?, None);
         Ok(())
     }
+
+    #[test]
+    fn a_cut_goes_through_few_boxes_and_leaves_as_many_on_either_side() {
+        let cell = [[0.0, 8.0], [0.0, 1.0], [0.0, 1.0]];
+        let cut = |ranges: &[[f64; 2]]| {
+            let boxes: Vec<Cell> = ranges.iter().map(|&range| [range, cell[1], cell[2]]).collect();
+            best_cut(&cell, &boxes).map(|Cut { axis, at, cost }| (axis, at, cost))
+        };
+        // Cuts at 1 and 2 go through no box; the one at 2 has two boxes on either side, and that at 1 three on one.
+        assert_eq!(cut(&[[0.0, 1.0], [1.0, 2.0], [2.0, 4.0], [4.0, 8.0]]), Some((0, 2.0, [4, 2])));
+        assert_eq!(cut(&[[0.0, 1.0], [1.0, 2.0], [2.0, 8.0]]), Some((0, 1.0, [3, 2])));
+        // The cut at 1 has one box before and all four after it; at 5 all have begun, and two end after it.
+        assert_eq!(cut(&[[0.0, 5.0], [1.0, 5.0], [2.0, 8.0], [3.0, 8.0]]), Some((0, 1.0, [5, 4])));
+        // The box that goes beyond both ends is on either side of the cut.
+        assert_eq!(cut(&[[-1.0, 9.0], [0.0, 3.0], [3.0, 8.0]]), Some((0, 3.0, [4, 2])));
+        assert_eq!(cut(&[[-1.0, 9.0], [0.0, 8.0]]), None, "nothing ends inside");
+    }
+
+    #[test]
+    fn boxes_that_only_touch_a_part_do_not_change_where_it_is_cut() -> Result<(), Stop> {
+        let whole = [[0.0, 4.0], [0.0, 4.0], [0.0, 2.0]];
+        // The cut at 3 of the first axis leaves the second box alone in the first part, and in the middle of it.
+        let boxes = vec![[[3.0, 4.0], [2.0, 4.0], [0.0, 1.0]], [[0.0, 3.0], [0.0, 3.0], [0.0, 1.0]]];
+        assert_eq!(left_out(whole, boxes)?, Some([0.0, 0.0, 1.0]));
+        let boxes = vec![
+            [[0.0, 4.0], [0.0, 1.0], [0.0, 2.0]],
+            [[0.0, 3.0], [1.0, 4.0], [0.0, 1.0]],
+            [[2.0, 4.0], [3.0, 4.0], [1.0, 2.0]],
+        ];
+        assert_eq!(left_out(whole, boxes)?, Some([3.0, 1.0, 0.0]));
+        Ok(())
+    }
 }

@@ -222,3 +222,57 @@ fn what_is_no_mesh_or_no_motion_of_pieces_has_no_answer() {
         assert!(told.is_wrong(), "{told:?}");
     }
 }
+
+#[test]
+fn proofs_tell_how_many_intervals_there_are() {
+    let [near, far] = [0.0, 4.0].map(|x| triangle([[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]]));
+    let told = |answer: &MeshContactAnswer, meshes: [&Mesh; 2]| verdict(meshes, [&Motion::Rest; 2], answer);
+    let right = |text: &str| Verdict::Right(text.to_owned());
+    let mut answer = separate(1, X);
+    assert_eq!(
+        told(&answer, [&near, &far]),
+        right("separate; 1 interval with a gap between all triangles at every time")
+    );
+    answer.intervals = [[0.0, 0.5], [0.5, 1.0]].map(|times| free([[0, 1]; 2], times, X)).to_vec();
+    assert_eq!(
+        told(&answer, [&near, &far]),
+        right("separate; 2 intervals with a gap between parts at every time, which hold all pairs of triangles")
+    );
+    answer.intervals = Vec::new();
+    answer.encounter = MeshEncounter::Contact { time: [0.0, 0.0], triangles: [0, 0] };
+    assert_eq!(
+        told(&answer, [&near, &near]),
+        right("contact; no interval, and a common point of the triangles 0 and 0 at the time 0.0")
+    );
+}
+
+#[test]
+fn an_interval_that_is_not_needed_is_of_some_triangles_and_in_the_time_of_the_motion() {
+    let told = |parts: [[usize; 2]; 2], times: [f64; 2]| {
+        let mut answer = separate(2, X);
+        answer.intervals.push(free(parts, times, X));
+        verdict([&square(1.0), &square(4.0)], [&Motion::Rest; 2], &answer)
+    };
+    assert!(told([[0, 1], [1, 2]], [0.25, 0.5]).is_right());
+    let wrong = |text: &str| Verdict::Wrong(format!("certificate: an interval {text}"));
+    assert_eq!(told([[0, 1], [1, 2]], [-1.0, 0.5]), wrong("goes from -1.0 to 0.5"));
+    assert_eq!(told([[0, 1], [1, 2]], [0.5, 1.5]), wrong("goes from 0.5 to 1.5"));
+    let mut empty = separate(2, X);
+    empty.intervals.push(free([[0, 1], [1, 1]], [0.25, 0.5], X));
+    // The corners of no triangles would be taken for a point at the origin.
+    let behind = verdict([&square(-4.0), &square(-1.0)], [&Motion::Rest; 2], &empty);
+    assert_eq!(behind, wrong("is of the triangles from 1 to below 1 of an order"));
+}
+
+#[test]
+fn triangles_in_doubt_may_be_held_by_several_intervals_before() {
+    let [near, far] = [0.0, 4.0].map(|x| triangle([[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]]));
+    let told = |times: &[[f64; 2]], from: f64| {
+        let intervals = times.iter().map(|&times| free([[0, 1]; 2], times, X)).collect();
+        let encounter = MeshEncounter::Grazing { time: [from, 0.75], triangles: [0, 0] };
+        let answer = MeshContactAnswer { encounter, order: [vec![0], vec![0]], intervals };
+        verdict([&near, &far], [&Motion::Rest, &moved([-8.0, 0.0, 0.0])], &answer)
+    };
+    assert!(told(&[[0.0, 0.25], [0.25, 0.375]], 0.375).is_right());
+    assert!(told(&[[0.0, 0.4375]], 0.375).is_wrong(), "they are held a little later");
+}

@@ -134,4 +134,38 @@ mod tests {
         assert!(near(image(&from, &to), [1.0, -1.0, 5.0]), "the corner of both tangents");
         assert_eq!(turning.rotation(2, 1), to);
     }
+
+    #[test]
+    fn the_length_of_an_axis_has_160_bits_whatever_it_is() {
+        for axis in [[1, 1, 0], [3, -4, 0], [0, 0, 1], [1 << 30, 7, 1 << 29]] {
+            let turning = Turning::new(axis.map(IBig::from).to_vec(), 1.0);
+            let fine = &turning.square << (2 * turning.shift);
+            let next = &turning.length + IBig::ONE;
+            assert!(&turning.length * &turning.length <= fine && fine < &next * &next, "{axis:?}");
+            assert!((160..=161).contains(&turning.length.bit_len()), "{axis:?}: {}", turning.length.bit_len());
+        }
+    }
+
+    #[test]
+    fn half_of_a_small_angle_has_as_many_places_as_that_of_a_large_one() {
+        let half = |angle: f64| {
+            let turning = Turning::new([0, 0, 1].map(IBig::from).to_vec(), angle);
+            (turning.half_angle, turning.places)
+        };
+        // The half is 2^-61 in units of 2^-188, or 3/2 in units of 2^-128, and a little above.
+        let above = IBig::from(MARGIN);
+        assert_eq!(half(2f64.powi(-60)), ((IBig::ONE << 127_usize) + &above, 188));
+        assert_eq!(half(3.0), ((IBig::from(3) << 127_usize) + above, 128));
+        assert_eq!(half(0.0).0, IBig::ZERO);
+    }
+
+    #[test]
+    fn rotations_half_a_turn_apart_have_no_corner() {
+        let turning = Turning::new([0, 0, 1].map(IBig::from).to_vec(), 1.0);
+        let u: Vector = [1, 0, 5].map(IBig::from).to_vec();
+        let rotation = |w: i32, y: i32| Rotation { w: IBig::from(w), y: IBig::from(y) };
+        assert_eq!(turning.turned_back(&u, &rotation(1, 0), &rotation(0, 1)), None);
+        assert_eq!(turning.turned_back(&u, &rotation(1, 0), &rotation(-1, 1)), None);
+        assert!(turning.turned_back(&u, &rotation(1, 0), &rotation(1, 1)).is_some());
+    }
 }

@@ -134,4 +134,20 @@ mod tests {
         let off = (quarter.units >> (quarter.places - 189)) - pi;
         assert!(off <= IBig::from(2) && off >= IBig::from(-2));
     }
+
+    #[test]
+    fn a_quarter_turn_has_places_for_the_sines_the_angle_and_some_to_spare() {
+        for bits in [1, 12, 64] {
+            assert_eq!(QuarterTurn::for_angles_below(bits).places, SINE_PLACES + SPARE + bits);
+        }
+    }
+
+    #[test]
+    fn an_angle_may_have_more_places_than_a_quarter_turn() {
+        let quarter = QuarterTurn::for_angles_below(4);
+        for numerator in [1, -1, 13] {
+            let found = quarter.sine_and_cosine(&(IBig::from(numerator) << 999_usize), 1000);
+            assert_eq!(found, quarter.sine_and_cosine(&IBig::from(numerator), 1), "{numerator}");
+        }
+    }
 }
