@@ -91,4 +91,26 @@ mod tests {
         assert!(!is_beyond(6.5, Some(cost)));
         assert!(!is_beyond(1e300, None), "a cost that is not known is beyond no gap");
     }
+
+    #[test]
+    fn directions_that_are_half_as_long_cost_twice_as_much() {
+        let halves = [vec![0.5, 0.0], vec![0.0, 1.0], vec![0.5, 0.5]];
+        let cost = cost_of_rounding(&halves, &[1.0, 6.0, 1.0], &[4.0, 1.0]).expect("the directions span the plane");
+        let [of_x, of_y] = [4.0 - 4.0f64.next_down(), 1.0 - 1.0f64.next_down()];
+        assert_eq!(cost.nearest(), 2.0 * (of_x + 2.0 * of_y));
+    }
+
+    /// The last direction of the line is the cheapest; 64 directions have 2016 pairs.
+    #[test]
+    fn the_cheapest_of_two_thousand_bases_is_found_and_of_more_the_first_is_taken() {
+        let cost_of_one = |count: usize| {
+            let weights: Vec<f64> = (1..=count).map(|index| if index == count { 0.25 } else { 1.0 }).collect();
+            cost_of_rounding(&vec![vec![1.0]; count], &weights, &[1.0]).map(|cost| cost.nearest())
+        };
+        let place = 1.0 - 1.0f64.next_down();
+        let most = usize::try_from(MOST_BASES).expect("two thousand");
+        assert_eq!(cost_of_one(most), Some(0.25 * place));
+        assert_eq!(cost_of_one(most + 1), Some(place));
+        assert!(cost_of_rounding(&vec![vec![1.0, 2.0]; 64], &[1.0; 64], &[1.0, 1.0]).is_none(), "they span a line");
+    }
 }

@@ -329,6 +329,8 @@ mod tests {
             (3.325e-8, "1 + 3.4e-8"),
             (9.96e-9, "1 + 1.0e-8"),
             (9.91e-9, "1 + 10.0e-9"),
+            (1e-8, "1 + 1.0e-8"),
+            (1e-4, "1.00011"),
             (0.000_329_242_163, "1.00033"),
             (0.414_213_562_4, "1.41422"),
             (2.0, "3.00001"),
@@ -380,5 +382,13 @@ mod tests {
             ..nothing
         };
         assert!(check_min_length_all(&[vec![3.0], vec![3.0]], 0.5, &longer).is_wrong());
+    }
+
+    #[test]
+    fn epsilon_lies_between_nothing_and_one() {
+        for epsilon in [0.0, 1.0, 2.0, -0.5] {
+            assert!(check_min_length_all(&diamond(), epsilon, &answer()).is_wrong(), "{epsilon}");
+        }
+        assert!(check_min_length_all(&diamond(), 1.0_f64.next_down(), &answer()).is_right());
     }
 }

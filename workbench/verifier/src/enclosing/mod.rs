@@ -5,3 +5,6 @@ mod lower_bound;
 pub(crate) mod min_area;
 pub(crate) mod min_length_all;
 pub(crate) mod min_length_dirs;
+
+#[cfg(test)]
+mod tests;

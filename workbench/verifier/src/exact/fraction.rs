@@ -82,4 +82,15 @@ mod tests {
         }
         assert_eq!((Fraction::new(1, 0), Fraction::of_double(f64::NAN)), (None, None));
     }
+
+    #[test]
+    fn the_common_denominator_is_the_least_one() {
+        let fractions = [(1, 6), (-3, 4), (5, 12), (7, 1)].map(|(numerator, denominator)| {
+            Fraction::new(numerator, denominator).expect("the denominator is not zero")
+        });
+        let common = common_denominator(&fractions);
+        assert_eq!(common, IBig::from(12));
+        assert_eq!(whole_numbers(&fractions, &common), [2, -9, 5, 84].map(IBig::from));
+        assert_eq!(common_denominator([]), IBig::ONE);
+    }
 }

@@ -25,3 +25,35 @@ pub(crate) fn sort_counting(items: &mut [usize], compare: &impl Fn(&usize, &usiz
     items.copy_from_slice(&merged);
     count
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_that_change_their_order_are_counted_one_by_one() {
+        let mut state = 3_u64;
+        let mut next = |bound: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as usize % bound
+        };
+        for count in 0..40 {
+            let items: Vec<usize> = (0..count).map(|_| next(10)).collect();
+            let after = |at: usize| items[at + 1..].iter().filter(|&&later| later < items[at]).count() as u64;
+            let expected: u64 = (0..count).map(after).sum();
+            let mut sorted = items.clone();
+            assert_eq!(sort_counting(&mut sorted, &usize::cmp), expected, "{items:?}");
+            assert!(sorted.is_sorted());
+        }
+    }
+
+    /// A sort of a million items has room for them twice, not for all their pairs.
+    #[test]
+    fn every_pair_of_a_million_items_in_descending_order_changes() {
+        let count = 1_000_000;
+        let mut items: Vec<usize> = (0..count).rev().collect();
+        let pairs = (count * (count - 1) / 2) as u64;
+        assert_eq!(sort_counting(&mut items, &usize::cmp), pairs);
+        assert!(items.is_sorted());
+    }
+}

@@ -103,4 +103,18 @@ mod tests {
         assert_ne!(p, PlainPoint::new([1.0, f64::from_bits(1)]));
         assert_ne!(p, PlainPoint::new([1.0_f64.next_up(), 0.0]));
     }
+
+    /// The line from (12, 12) to (24, 24) and points a few units in the last place beside the diagonal, at 2^-40 and
+    /// 2^40 times this size: products of small numbers are smaller than their sum.
+    #[test]
+    fn sides_do_not_depend_on_the_size_of_the_picture() {
+        for size in [2.0_f64.powi(-40), 1.0, 2.0_f64.powi(40)] {
+            for (i, j) in (0..64_u64).flat_map(|i| (0..64_u64).map(move |j| (i, j))) {
+                let p = [i, j].map(|steps| f64::from_bits(0.5_f64.to_bits() + steps) * size);
+                let [a, b, p] = [[12.0 * size; 2], [24.0 * size; 2], p].map(PlainPoint::new);
+                // the point lies on the left of the diagonal where its ordinate is the larger coordinate
+                assert_eq!(PlainPoint::side(&a, &b, &p), j.cmp(&i), "{size} {i} {j}");
+            }
+        }
+    }
 }

@@ -295,4 +295,45 @@ mod tests {
         let wide = Proportion::of_double(f64::MAX).over(&Proportion::of_double(f64::MAX));
         assert_eq!(wide.map(|one| one.nearest()), Some(1.0));
     }
+
+    #[test]
+    fn between_the_largest_double_and_half_a_unit_more_both_figures_are_right() {
+        let accepts = |claimed: f64, exact: &Proportion| check_figure("it", claimed, exact, &of(0, 1, 0)).is_ok();
+        let largest = Proportion::of_double(f64::MAX);
+        // a quarter of the unit 2^971 in the last place
+        let more = largest.plus(&of(1, 1, 969));
+        let less = Proportion::whole(IBig::ZERO, 0).minus(&more);
+        assert_eq!((more.nearest(), less.nearest()), (f64::MAX, -f64::MAX));
+        assert!(accepts(f64::INFINITY, &more) && !accepts(f64::NEG_INFINITY, &more));
+        assert!(accepts(f64::NEG_INFINITY, &less) && !accepts(f64::INFINITY, &less));
+        assert!(!accepts(f64::INFINITY, &largest) && !accepts(f64::NAN, &more));
+    }
+
+    /// Whole numbers, quotients and powers of two whose roots are known.
+    #[test]
+    fn roots_by_hand() {
+        for (square, root) in [
+            (of(0, 1, 0), of(0, 1, 0)),
+            (of(9, 1, 0), of(3, 1, 0)),
+            (of(1, 4, 0), of(1, 2, 0)),
+            (Proportion::whole(IBig::ONE << 299, 1), of(1, 1, 150)),
+            (Proportion::whole(IBig::from(49) << 301, -1), of(7, 1, 150)),
+        ] {
+            assert_eq!(square.root().compare(&root), Ordering::Equal, "{square:?}");
+        }
+    }
+
+    /// The roots of quotients of numbers of any length have half of 240 bits, and a few more, and are that exact.
+    #[test]
+    fn roots_have_as_many_bits_as_their_error_needs() {
+        let odd = |bits: usize| (IBig::ONE << (bits - 1)) + IBig::ONE;
+        for (above, below) in [(1, 1), (1, 100), (100, 1), (100, 100), (230, 3), (3, 230)] {
+            let square = Proportion::new(odd(above) + 1, odd(below), 3);
+            let root = square.root();
+            let bits = root.numerator.bit_len();
+            assert!((120..=123).contains(&bits), "{above} / {below}: {bits} bits");
+            let error = root.times(&root).minus(&square).magnitude();
+            assert_eq!(error.compare(&square.times(&of(1, 1, -100))), Ordering::Less, "{above} / {below}");
+        }
+    }
 }

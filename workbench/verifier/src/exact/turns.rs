@@ -108,4 +108,38 @@ mod tests {
         let pairs = vectors.iter().enumerate().flat_map(|(at, a)| vectors[at + 1..].iter().map(move |b| (a, b)));
         assert_eq!(turns(vectors.clone()), pairs.map(|(a, b)| turn(a, b).abs()).sum::<IBig>());
     }
+
+    fn with_image(v: Vector) -> ([f64; 2], Vector) {
+        ([v[0].to_f64().value(), v[1].to_f64().value()], v)
+    }
+
+    /// Pairs of vectors of about 100 bits, of which one is a multiple of the other but for some units: the products of
+    /// the rounded components tell the side wrong at times.
+    #[test]
+    fn sides_of_long_vectors_are_exact() {
+        let mut wrong = 0;
+        for i in 1..200_u64 {
+            let long = |seed: u64| IBig::from(seed.wrapping_mul(6_364_136_223_846_793_005) >> 1) * (IBig::ONE << 30);
+            let [x, y] = [long(i), long(i + 1_000)].map(|number| number + IBig::from(i));
+            for (dx, dy) in [(0, 0), (0, 1), (1, 0), (0, -1), (-1, 0), (1, 1)] {
+                let a = with_image(vec![x.clone(), y.clone()]);
+                let b = with_image(vec![&x * 3 + IBig::from(dx), &y * 3 + IBig::from(dy)]);
+                let exact = turn(&a.1, &b.1).cmp(&IBig::ZERO);
+                assert_eq!((side(&a, &b), side(&b, &a)), (exact, exact.reverse()), "{i} {dx} {dy}");
+                let rounded = a.0[0] * b.0[1] - a.0[1] * b.0[0];
+                wrong += usize::from(rounded.partial_cmp(&0.0) != Some(exact));
+            }
+        }
+        assert!(wrong > 100, "{wrong}");
+    }
+
+    #[test]
+    fn vectors_of_one_axis_lie_on_no_side_of_each_other() {
+        for vectors in [[[1, 0], [2, 0]], [[0, 3], [0, 1]], [[5, 0], [-5, 0]], [[1, 2], [2, 4]]] {
+            let [a, b] = vectors.map(|v: [i64; 2]| with_image(v.map(IBig::from).to_vec()));
+            assert_eq!((side(&a, &b), side(&b, &a)), (Ordering::Equal, Ordering::Equal), "{vectors:?}");
+        }
+        let [a, b] = [[1, 0], [0, 1]].map(|v: [i64; 2]| with_image(v.map(IBig::from).to_vec()));
+        assert_eq!((side(&a, &b), side(&b, &a)), (Ordering::Greater, Ordering::Less));
+    }
 }

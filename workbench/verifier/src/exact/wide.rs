@@ -123,4 +123,10 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn powers_of_two_are_normal_doubles_or_zero() {
+        assert_eq!([0, 1, -1, 1_023].map(power_of_two), [1.0, 2.0, 0.5, 2.0_f64.powi(1_023)]);
+        assert_eq!((power_of_two(-1_022), power_of_two(-1_023)), (f64::MIN_POSITIVE, 0.0));
+    }
 }

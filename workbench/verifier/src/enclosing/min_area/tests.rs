@@ -72,6 +72,9 @@ fn every_false_statement_is_caught() {
     caught(|answer| answer.certificate.basis = vec![0, 0], "parallel");
     caught(|answer| answer.certificate.basis = vec![0, 2, 0], "at most two");
     caught(|answer| answer.certificate.basis = vec![0, 7], "does not exist");
+    // the three vertices and edges are counted from 0
+    caught(|answer| answer.certificate.farthest[1] = 3, "farthest names vertex 3, which does not exist");
+    caught(|answer| answer.certificate.basis = vec![0, 3], "basis names edge 3, which does not exist");
 }
 
 #[test]
@@ -94,6 +97,83 @@ fn points_on_a_line_need_no_certificate() {
     };
     let proof = check_min_area(&points, &answer).proof().expect("the segment itself");
     assert_eq!(proof, MinAreaProof { area: 0.0, proven_bound: 0.0, gap: 0.0, points: 3 });
+    let Certificate { hull, .. } = answer.certificate.clone();
+    let none = Certificate { hull, farthest: vec![], coefficients: vec![], basis: vec![] };
+    let superfluous = [
+        Certificate { farthest: vec![0], ..none.clone() },
+        Certificate { coefficients: vec![0.0], ..none.clone() },
+        Certificate { basis: vec![0], ..none },
+    ];
+    for certificate in superfluous {
+        let complaint = check_min_area(&points, &MinAreaAnswer { certificate, ..answer.clone() }).proof();
+        assert!(complaint.is_err_and(|complaint| complaint.contains("points on a line have no edges")));
+    }
+}
+
+/// The square [0, 2]² around its corners: either end of the side that is opposite to an edge is farthest from it.
+#[test]
+fn both_ends_of_a_parallel_side_are_farthest() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    for choice in 0..256_usize {
+        let farthest: Vec<usize> = (0..4).map(|edge| choice >> (2 * edge) & 3).collect();
+        let is_right = farthest.iter().enumerate().all(|(edge, &s)| s == (edge + 2) % 4 || s == (edge + 3) % 4);
+        let answer = MinAreaAnswer {
+            area: 4.0,
+            center: [1.0, 1.0],
+            generators: vec![[1.0, 0.0], [0.0, 1.0]],
+            lower_bound: 4.0,
+            certificate: Certificate { hull: vec![0, 1, 2, 3], farthest, coefficients: vec![0.5; 4], basis: vec![] },
+        };
+        assert_eq!(check_min_area(&points, &answer).is_right(), is_right, "{answer:?}");
+    }
+}
+
+/// Coefficients that close the edges prove the same bound whatever the centre from which it is computed: multiples of
+/// 1/8, all of them equal where at most one is solved for.
+#[test]
+fn the_bound_does_not_depend_on_the_centre() {
+    let mut sequence = Sequence(5);
+    let mut proved = [0; 3];
+    for round in 0..600 {
+        let count = 3 + sequence.below(5) as usize;
+        let points: Vec<Point> =
+            sequence.points(count).into_iter().map(|point| point.map(|c| IBig::from(c as i64))).collect();
+        let vertices = ConvexPolygon::hull(points).vertices().to_vec();
+        let count = vertices.len();
+        if count < 3 {
+            continue;
+        }
+        let farthest = (0..count).map(|t| {
+            let edge = vector(&vertices[t], &vertices[(t + 1) % count]);
+            (0..count).max_by_key(|&s| cross(&edge, &vertices[s])).expect("not empty")
+        });
+        let basis: Vec<usize> = (0..round % 3).map(|step| (round + step) % count).collect();
+        let all = sequence.below(17) / 8.0 - 1.0;
+        let coefficients = (0..count).map(|t| match basis.len() {
+            _ if basis.contains(&t) => 0.0,
+            2 => sequence.below(17) / 8.0 - 1.0,
+            _ => all,
+        });
+        let certificate = Certificate {
+            hull: (0..count).collect(),
+            farthest: farthest.collect(),
+            coefficients: coefficients.collect(),
+            basis: basis.clone(),
+        };
+        let mut bound = || {
+            let center = [IBig::from(sequence.below(30) as i64 - 9), IBig::from(sequence.below(30) as i64 - 9)];
+            proven_bound(&vertices, &center, &certificate)
+        };
+        match (bound(), bound()) {
+            (Ok(first), Ok(second)) => {
+                assert_eq!(first.compare(&second), Ordering::Equal, "{vertices:?} {certificate:?}");
+                proved[basis.len()] += 1;
+            }
+            // two coefficients that are solved for may leave [−1, 1], and their edges may be parallel
+            (first, second) => assert!(basis.len() == 2 && first.is_err() && second.is_err(), "{certificate:?}"),
+        }
+    }
+    assert!(proved.iter().all(|&count| count > 50), "{proved:?}");
 }
 
 /// The identity f(O) = constant + 1/2 Σ |v_t(O)|, from which the proof of the bound follows, on pairs of random
@@ -152,6 +232,21 @@ fn exact_optima() {
         exact.area = number(16, 3);
     };
     assert_eq!(check(&larger), complaint("the certificate does not prove that the area is the least"));
+}
+
+/// The triangle at an eighth of its size: its coordinates are no whole numbers, and the area is 1/16.
+#[test]
+fn exact_optima_of_fractional_points() {
+    let (points, MinAreaAnswer { certificate, .. }) = triangle();
+    let points: Vec<[f64; 2]> = points.into_iter().map(|point| point.map(|c| c / 8.0)).collect();
+    let number = |numerator: i32, denominator: i32| Fraction::new(numerator, denominator).expect("not over zero");
+    let square = |side: i32| ExactMinArea {
+        area: number(1, 16),
+        center: [number(1, 8), number(1, 8)],
+        generators: vec![[number(1, 8), number(0, 1)], [number(0, 1), number(side, 8)]],
+    };
+    assert!(check_exact_min_area(&points, &certificate, &square(1)).is_right());
+    assert!(check_exact_min_area(&points, &certificate, &square(2)).is_wrong());
 }
 
 /// Two points of a horizontal line: a segment holds them, and nothing that is thicker by however little is the least.
