@@ -1,5 +1,5 @@
-//! The triangles of two copies of a mesh that meet, found by a look at every pair: what hierarchies are held to on whole
-//! meshes.
+//! The triangles of two copies of a mesh that meet, found by a look at every pair: what hierarchies are held to on
+//! whole meshes.
 //!
 //! Each pair whose boxes, rounded and widened by more than the rounding, have a common point is decided by
 //! [`zonotope::bvh::brute_force::all_pairs`], exactly and without a hierarchy. The boxes leave out what cannot meet, so

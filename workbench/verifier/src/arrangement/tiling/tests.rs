@@ -48,7 +48,7 @@ fn one_tile_by_hand() {
     assert!(check(&[a, b, [0.0, 0.0, -5.0]], &square()).is_wrong());
 }
 
-/// What is said of the square's tiling after a change.
+/// The complaint about the square's tiling after a change.
 fn complaint(change: &dyn Fn(&mut TilingAnswer)) -> String {
     let mut answer = square();
     change(&mut answer);

@@ -27,7 +27,7 @@ const LANES: usize = 8;
 /// blocks.
 const GENERATORS_OF_EDGES: usize = 4;
 
-/// The depth of an overlap along facets, as a share of the distance of the centres, up to which the normals of edges are
+/// The depth of an overlap along facets, in terms of the distance of the centres, up to which the normals of edges are
 /// tried: of bodies of at most four generators, and of more. These have more facets beside their edges, so that where
 /// they overlap deeply along all facets an edge seldom tells more. Both were found by trial.
 const SHALLOW: [f64; 2] = [0.3, 0.06];
@@ -143,8 +143,8 @@ impl<const K: usize, const B: usize> Zonotope<K, B> {
     /// All generators and normals.
     const ALL: Used = Used { generators: K, blocks: B, shallow: shallow(K) };
 
-    /// The generators and the blocks of normals that are not zero; edges of three generators alone, as those of more cost
-    /// a mixed pair more time than they save.
+    /// The generators and the blocks of normals that are not zero; edges of three generators alone, as those of more
+    /// cost a mixed pair more time than they save.
     pub(super) fn used(&self) -> Used {
         let generators = self.directions.iter().filter(|direction| **direction != [0.0; 3]).count();
         let blocks = self.facets.iter().filter(|facets| **facets != Facets::NONE).count();
