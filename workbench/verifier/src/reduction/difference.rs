@@ -62,4 +62,12 @@ mod tests {
         assert_eq!(others, vectors(&[&[1, 1]]));
         assert!(without_common_summands([&first, &first]).iter().all(Vec::is_empty));
     }
+
+    #[test]
+    fn a_line_without_a_vector_of_a_component_one_counts_as_often_as_its_shortest_vector_fits() {
+        // the vector (2, 3) goes twice into (4, 6) and three times into (6, 9), whichever way it points
+        let [first, second] = [vectors(&[&[4, 6], &[-6, -9]]), vectors(&[&[2, 3]])];
+        assert_eq!(without_common_summands([&first, &second]), [vectors(&[&[8, 12]]), vec![]]);
+        assert_eq!(without_common_summands([&second, &first]), [vec![], vectors(&[&[8, 12]])]);
+    }
 }

@@ -244,4 +244,40 @@ mod tests {
             "beyond all doubles"
         );
     }
+
+    #[test]
+    fn bodies_of_one_space_have_its_dimension_and_others_are_refused() {
+        let pair = |a: [&[f64]; 2], b: [&[f64]; 2]| {
+            BodyPair::new((a[0], &[a[1].to_vec()]), (b[0], &[b[1].to_vec()])).map(|pair| pair.dimension())
+        };
+        let [line, plane, space]: [&[f64]; 3] = [&[1.0], &[1.0, 2.0], &[1.0, 2.0, 3.0]];
+        assert_eq!(pair([plane, plane], [plane, plane]), Ok(2));
+        assert_eq!(pair([space, space], [space, space]), Ok(3));
+        for (a, b) in [([plane, space], [plane, plane]), ([plane, plane], [plane, line])] {
+            assert!(pair(a, b).is_err(), "a generator of another length: {a:?} {b:?}");
+        }
+        assert!(pair([plane, plane], [line, plane]).is_err(), "a centre of another length");
+        assert!(BodyPair::new((plane, &[]), (space, &[])).is_err(), "centres alone");
+    }
+
+    #[test]
+    fn bounds_and_directions_are_refused_for_their_own_reasons() {
+        let square = vec![vec![1.0, 0.0], vec![0.0, 1.0]];
+        let pair = BodyPair::new((&[0.0, 0.0], &square), (&[5.0, 0.0], &square)).expect("both are in the plane");
+        let refused_for = |bounds: [f64; 2], direction: &[f64], reason: &str| {
+            let outcome = check_bounds(&pair, bounds, direction);
+            matches!(outcome, Err(Stop::Wrong(text)) if text.contains(reason))
+        };
+        assert!(check_bounds(&pair, [5.0, 5.0], &[1.0, 0.0]).is_ok());
+        for bounds in [[5.0, 4.0], [5.0, f64::NAN], [0.0, f64::NAN]] {
+            assert!(refused_for(bounds, &[1.0, 0.0], "in no order"), "{bounds:?}");
+        }
+        let directions: [&[f64]; 6] =
+            [&[], &[1.0], &[1.0, 0.0, 0.0], &[1.0, f64::NAN], &[f64::INFINITY, 0.0], &[f64::NAN, 0.0, 0.0]];
+        for direction in directions {
+            assert!(refused_for([5.0, 5.0], direction, "no vector of the question's space"), "{direction:?}");
+        }
+        assert!(refused_for([5.0, 5.0], &[0.0, 0.0], "is zero"));
+        assert!(refused_for([5.0, 5.0], &[0.0, 1.0], "differ by 0.0"));
+    }
 }

@@ -251,4 +251,83 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn each_round_takes_the_work_of_the_generators_and_more_for_long_numbers() {
+        let square = vectors(&[&[2, 0], &[0, 2]]);
+        let left = |bits: usize, work: u64| {
+            let [point, square] = [&vectors(&[&[2, 2]]), &square]
+                .map(|list| list.iter().map(|v| v.iter().map(|c| c << bits).collect()).collect::<Vec<Vector>>());
+            let mut work = work;
+            (reach(&point[0], &square, &Proportion::of_double(0.0), &mut work), work)
+        };
+        // a corner is found in the first round: 2 generators, and 40 for the round itself
+        assert_eq!(left(0, 1_000), (Reach::Near, 1_000 - 42));
+        assert_eq!(left(0, 42), (Reach::Near, 0));
+        assert_eq!(left(0, 41), (Reach::Open, 41));
+        // numbers of 800 bits have two times 400 further ones, and a round takes three times as long
+        assert_eq!(left(798, 1_000), (Reach::Near, 1_000 - 3 * 42));
+    }
+
+    #[test]
+    fn the_farthest_vertex_has_the_signs_of_the_direction_and_a_generator_across_it_as_it_is() {
+        let generators = vectors(&[&[1, 2], &[-3, 1], &[0, -5]]);
+        assert_eq!(farthest_vertex(&generators, &vectors(&[&[1, 0]])[0]), vectors(&[&[4, -4]])[0]);
+        assert_eq!(farthest_vertex(&generators, &vectors(&[&[-1, 0]])[0]), vectors(&[&[-4, -6]])[0]);
+    }
+
+    #[test]
+    fn a_point_that_has_no_part_leaves_the_others() {
+        // the point (1, 0) is the nearest one to the origin of the line through it and (1, 1)
+        let mut corral = Corral::at(vectors(&[&[1, 1]]).remove(0));
+        assert!(corral.join(vectors(&[&[1, 0]]).remove(0)));
+        assert_eq!((corral.points, corral.parts), (vectors(&[&[1, 0]]), vectors(&[&[1]])[0].clone()));
+    }
+
+    /// Numbers from −range / 2 to range / 2 that come in the same order each time.
+    fn numbers(mut state: u64) -> impl FnMut(u64) -> i64 {
+        move |range| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) % (range + 1)) as i64 - (range / 2) as i64
+        }
+    }
+
+    #[test]
+    fn every_point_of_a_zonotope_is_at_no_distance_from_it() {
+        let mut next = numbers(5);
+        for round in 0..600 {
+            let (dimension, count) = (2 + round % 3, 1 + round / 3 % 7);
+            let mut vector = || -> Vector { (0..dimension).map(|_| IBig::from(next(8))).collect() };
+            let generators: Vec<Vector> = (0..count).map(|_| vector()).collect();
+            // the generators are four times as long, and the point has at most four times the short ones
+            let factors: Vector = (0..count).map(|_| IBig::from(next(8))).collect();
+            let point = combined(&generators, &factors);
+            let generators: Vec<Vector> = generators.iter().map(|v| v.iter().map(|c| c * 4).collect()).collect();
+            let outcome = reach(&point, &generators, &Proportion::of_double(0.0), &mut 100_000);
+            assert_eq!(outcome, Reach::Near, "{point:?} {generators:?}");
+        }
+    }
+
+    /// The way to these nearest points is one on which vertices leave again, one at a time or two at once.
+    #[test]
+    fn nearest_points_are_found_in_few_rounds_where_vertices_leave() {
+        // a point, generators and the number of rounds
+        type Case<'a> = (&'a [i64], &'a [&'a [i64]], u64);
+        let cases: [Case; 6] = [
+            (&[2, 0], &[&[0, 2], &[1, 2]], 3),
+            (&[1, 2], &[&[-4, -2], &[1, 0]], 3),
+            (&[2, 3], &[&[1, -2], &[-1, 0], &[-2, 1]], 3),
+            (&[-1, 3], &[&[3, -3], &[3, -2], &[-2, 1]], 4),
+            (&[23, 22], &[&[-3, 17], &[-6, 6], &[-5, 14], &[-10, 9], &[7, -5], &[7, -11]], 3),
+            (&[-58, -42, 30], &[&[-14, 20, 8], &[-17, -8, 3], &[17, -1, 17], &[-16, 12, -13], &[1, 13, 6]], 4),
+        ];
+        for (point, generators, rounds) in cases {
+            let (point, generators) = (vectors(&[point]).remove(0), vectors(generators));
+            let square = squared_by_all_faces(&point, &generators);
+            let limit = square.root().times(&Proportion::of_double(1.0 + 1e-12));
+            let mut work = rounds * (generators.len() as u64 + ROUND_WORK);
+            assert_eq!(reach(&point, &generators, &limit, &mut work), Reach::Near, "{point:?}");
+            assert_eq!(work, 0, "{point:?}");
+        }
+    }
 }

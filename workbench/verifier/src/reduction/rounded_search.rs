@@ -96,4 +96,40 @@ mod tests {
         assert!(is_near(0.875, 1.0, 0.6251) && !is_near(0.875, 1.0, 0.6249));
         assert!(!RoundedBody::new(&[]).is_near(&[0.5, 0.0, 0.0, 0.0], 0.4));
     }
+
+    #[test]
+    fn the_search_begins_at_the_vertex_towards_the_point() {
+        // the coefficients of a thin body hardly move in thirty rounds: the far tip is found at once or not at all
+        let thin = 0.5 / 1024.0;
+        let rhombus = [[0.5, thin, 0.0, 0.0], [-0.5, thin, 0.0, 0.0]];
+        let is_near = |y: f64| RoundedBody::new(&rhombus).is_near(&[0.0, y, 0.0, 0.0], 0.25 + 1e-9);
+        assert!(is_near(0.25 + 2.0 * thin) && is_near(-0.25 - 2.0 * thin), "the tips are the nearest points");
+        // a generator across the point is taken as it is
+        let across = [[0.5, thin, 0.0, 0.0], [-0.5, 0.0, 0.0, 0.0]];
+        assert!(RoundedBody::new(&across).is_near(&[0.0, 0.25 + thin, 0.0, 0.0], 0.25 + 1e-9));
+    }
+
+    #[test]
+    fn the_search_goes_on_as_long_as_coefficients_change() {
+        // the point is half of one generator and a quarter of the other, with an angle of 45° between them
+        let skew = [[0.5, 0.0, 0.0, 0.0], [0.5, 0.5, 0.0, 0.0]];
+        assert!(RoundedBody::new(&skew).is_near(&[0.375, 0.125, 0.0, 0.0], 1e-6));
+    }
+
+    #[test]
+    fn a_distance_is_as_near_as_the_limit_that_it_equals() {
+        let (body, point) = (RoundedBody::new(&[]), [0.375, 0.5, 0.0, 0.0]);
+        let farthest = body.farthest(&point, &[]);
+        assert!(body.is_near(&point, farthest) && !body.is_near(&point, farthest.next_down()));
+    }
+
+    #[test]
+    fn distances_are_exceeded_by_what_rounding_may_lose() {
+        // the distance from (1/2, 0) to (7/8, 1/2) is 5/8; magnitudes of (11/8, 1/2), times 10 for two generators, and
+        // 16 for the root: (3/5 · 11/8 + 4/5 · 1/2) · 10 + 5/8 · 16 = 22.25
+        let square = [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0]];
+        let farthest = RoundedBody::new(&square).farthest(&[0.875, 0.5, 0.0, 0.0], &[1.0, 0.0]);
+        let excess = (farthest - 0.625) / f64::EPSILON;
+        assert!((21.5..23.0).contains(&excess), "{excess}");
+    }
 }

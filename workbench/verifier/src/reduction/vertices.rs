@@ -117,4 +117,65 @@ mod tests {
         let many: Vec<Vec<i64>> = (0..3000).map(|x| vec![x, x * x, 1]).collect();
         assert_eq!(count(3, &many.iter().map(Vec::as_slice).collect::<Vec<_>>()), None);
     }
+
+    fn counted(dimension: usize, generators: &[Vector], most: usize) -> Option<usize> {
+        vertices(dimension, generators, most).map(|signs| signs.len())
+    }
+
+    /// Vectors (1, x, x², …), of which as many as there are coordinates are independent.
+    fn on_the_moment_curve(dimension: u32, count: i64) -> Vec<Vector> {
+        (1..=count).map(|x| (0..dimension).map(|power| IBig::from(x.pow(power))).collect()).collect()
+    }
+
+    #[test]
+    fn four_coordinates_are_gone_through_by_facets_and_five_are_not() {
+        // n generators in general position in d dimensions have twice the sum of the C(n − 1, k), k < d, vertices
+        assert_eq!(counted(4, &on_the_moment_curve(4, 5), 1_000), Some(2 * (1 + 4 + 6 + 4)));
+        assert_eq!(counted(5, &on_the_moment_curve(5, 6), 1_000), Some(64), "every choice of signs");
+        assert_eq!(counted(5, &on_the_moment_curve(5, 14), 16_384), Some(16_384));
+        assert_eq!(counted(5, &on_the_moment_curve(5, 15), usize::MAX), None);
+    }
+
+    #[test]
+    fn vertices_beyond_the_number_asked_for_are_not_listed() {
+        let independent = |count: usize| -> Vec<Vector> {
+            (0..count).map(|row| (0..count).map(|column| IBig::from(i32::from(row == column))).collect()).collect()
+        };
+        assert_eq!([1_024, 1_023].map(|most| counted(10, &independent(10), most)), [Some(1_024), None]);
+        assert_eq!(counted(64, &independent(64), 1_000), None, "their number takes 65 bits");
+        let hexagon = vectors(&[&[1, 0], &[0, 1], &[1, 1]]);
+        assert_eq!([6, 5].map(|most| counted(2, &hexagon, most)), [Some(6), None]);
+    }
+
+    /// Each facet is a prism over a hexagon, of four generators: none is told by three of them alone.
+    #[test]
+    fn the_product_of_two_hexagons_has_36_vertices() {
+        let hexagons: [&[i64]; 6] =
+            [&[1, 0, 0, 0], &[0, 1, 0, 0], &[1, 1, 0, 0], &[0, 0, 1, 0], &[0, 0, 0, 1], &[0, 0, 1, 1]];
+        assert_eq!(count(4, &hexagons), Some(36));
+    }
+
+    #[test]
+    fn a_point_is_the_offset_and_the_generators_with_their_signs() {
+        let [offset, x, y] = [[10, 20], [1, 2], [3, -4]].map(|v| v.map(IBig::from).to_vec());
+        let at = |signs: [i8; 2]| point(&offset, &[x.clone(), y.clone()], &signs);
+        let expected = [[14, 18], [8, 26], [12, 14], [6, 22]].map(|v| v.map(IBig::from).to_vec());
+        assert_eq!([[1, 1], [1, -1], [-1, 1], [-1, -1]].map(at), expected);
+    }
+
+    #[test]
+    fn of_two_opposite_choices_the_one_that_begins_with_a_positive_sign_is_taken() {
+        let taken: Vec<_> = all_signs(2).into_iter().filter(|signs| is_of_half(signs)).collect();
+        assert_eq!(taken, [[1, -1], [1, 1]]);
+        assert!(is_of_half(&[]), "the only vertex of a point");
+    }
+
+    #[test]
+    fn of_the_subsets_of_a_facet_only_the_first_basis_is_the_first() {
+        // four vectors of one plane, two of them parallel, and one across it
+        let vectors = vectors(&[&[1, 0, 0], &[2, 0, 0], &[0, 0, 1], &[0, 1, 0], &[1, 1, 0]]);
+        let is_first = |basis: &[usize]| is_first(basis, &[0, 1, 3, 4], &vectors);
+        assert!(is_first(&[0, 3]));
+        assert!([[0, 4], [1, 3], [1, 4], [3, 4]].iter().all(|basis| !is_first(basis)));
+    }
 }

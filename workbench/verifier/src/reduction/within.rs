@@ -194,5 +194,50 @@ mod tests {
         let offset = vec![IBig::ZERO; 3];
         let within = Within { offset: &offset, first: &many, second: &many[..1], exponent: 0 };
         assert!(matches!(within.check(1.0), Err(Stop::Unchecked(_))));
+        assert!(within.check(1e14).is_ok(), "all generators together are shorter");
+        // fourteen independent generators have 16384 vertices, each to be tried with a thousand generators
+        let axes: Vec<Vector> =
+            (0..14).map(|row| (0..14).map(|column| IBig::from(i32::from(row == column))).collect()).collect();
+        let others: Vec<Vector> = (1..=1_000).map(|x| [vec![IBig::from(x); 13], vec![IBig::ONE]].concat()).collect();
+        let within = Within { offset: &vec![IBig::ZERO; 14], first: &axes, second: &others, exponent: 0 };
+        let outcome = within.check(1.0);
+        assert!(matches!(outcome, Err(Stop::Unchecked(reason)) if reason == "too many vertices to try"));
+    }
+
+    #[test]
+    fn distances_are_in_lengths_and_components_in_units() {
+        // a segment of four units around a point twelve units away: its far end is at sixteen
+        let [offset, first] = [vec![IBig::from(12)], vec![IBig::from(4)]];
+        for (exponent, distance) in [(-2, 4.0_f64), (0, 16.0), (3, 128.0)] {
+            let within = Within { offset: &offset, first: std::slice::from_ref(&first), second: &[], exponent };
+            assert!(within.check(distance).is_ok(), "{exponent}");
+            assert!(is_wrong(within.check(distance.next_down())), "{exponent}");
+        }
+    }
+
+    #[test]
+    fn of_a_moved_body_each_end_counts() {
+        let segment: [&[i64]; 1] = [&[1, 0]];
+        for offset in [[3, 0], [-3, 0]] {
+            assert!(check(&offset, &segment, &[], 4.0).is_ok());
+            assert!(is_wrong(check(&offset, &segment, &[], 3.0)), "the other end is at two: {offset:?}");
+        }
+    }
+
+    #[test]
+    fn every_coordinate_of_a_long_vector_counts() {
+        let (segment, offset): ([&[i64]; 1], _) = ([&[1, 0, 0, 0, 0, 0]], [0, 0, 0, 0, 0, 7]);
+        assert!(check(&offset, &segment, &[&[0, 1, 0, 0, 0, 0]], 7.1).is_ok());
+        assert!(is_wrong(check(&offset, &segment, &[&[0, 1, 0, 0, 0, 0]], 7.0)));
+    }
+
+    #[test]
+    fn floating_point_leaves_no_doubt_of_points_well_within_the_limit() {
+        let points = vectors(&[&[3, 0, 0, 0], &[0, 0, 0, 3], &[2, 2, 0, 1]]);
+        let square = vectors(&[&[2, 0, 0, 0], &[0, 2, 0, 0]]);
+        let limit = Proportion::of_double(1.5);
+        assert_eq!(doubtful(&points, &square, &limit), [&points[1]], "it is at a distance of three");
+        let flat = vectors(&[&[3, 0], &[0, 3]]);
+        assert!(doubtful(&flat, &vectors(&[&[2, 0], &[0, 2]]), &limit).is_empty());
     }
 }
