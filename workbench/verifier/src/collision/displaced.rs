@@ -120,4 +120,11 @@ mod tests {
         let body = Body { center: &[0.0; 2], generators: &plane, pose: Some(&turned) };
         assert!(Displaced::to_point(&body, &[0.0; 2]).is_err());
     }
+
+    #[test]
+    fn the_vector_leads_from_the_first_point_to_the_second() {
+        let point = |x: i32, y: i32| vec![IBig::from(x), IBig::from(y)];
+        let question = Displaced::of_vectors(point(1, -2), point(5, 3), vec![point(1, 0)], -4);
+        assert_eq!((question.p.clone(), question.exponent(), question.dimension()), (point(4, 5), -4, 2));
+    }
 }

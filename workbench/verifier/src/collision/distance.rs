@@ -125,6 +125,7 @@ mod tests {
     fn a_square_by_hand() {
         // the corner (1, 1) is nearest to (4, 5), the point (1, 1/4) of a side to (3, 1/4)
         assert_eq!(check(&[4.0, 5.0], 5.0, &[1.0, 1.0], &[]), Ok(()));
+        assert_eq!(check(&[4.0, -5.0], 5.0, &[1.0, -1.0], &[]), Ok(()));
         assert_eq!(check(&[3.0, 0.25], 2.0, &[1.0, 0.25], &[1]), Ok(()));
         assert_eq!(check(&[3.0, 0.25], 2.0, &[1.0, 0.25], &[]), Ok(()));
         assert_eq!(check(&[3.0, -1.0], 2.0, &[1.0, -1.0], &[1]), Ok(()));

@@ -351,4 +351,18 @@ mod tests {
         assert!(outside(1.99).is_err_and(|reason| reason.contains("against its own certificate")));
         assert!(outside(f64::INFINITY).is_err_and(|reason| !reason.contains("certificate")));
     }
+
+    /// Forty segments along the first axis and one along each of four others have too many facets to go through, but
+    /// the smallest coefficients name the one through which the vector leaves.
+    #[test]
+    fn a_named_facet_tells_the_gauge_of_a_body_with_too_many_facets() {
+        let unit = |axis: usize| -> Vec<f64> { (0..5).map(|k| f64::from(u8::from(k == axis))).collect() };
+        let generators: Vec<Vec<f64>> = [0; 40].into_iter().chain(1..5).map(unit).collect();
+        let rows: Vec<&[f64]> = generators.iter().map(Vec::as_slice).collect();
+        assert!(searched(&vectors(&[&[1; 5]])[0], &vectors(&[[1, 2, 3, 4, 5].as_slice(); 44])).is_none());
+        let coefficients = [[0.5; 40].as_slice(), &[0.25; 4]].concat();
+        let p = [20.0, 0.25, 0.25, 0.25, 0.25];
+        assert_eq!(check(&p, &rows, 0.5, witness(&coefficients, &[])), Ok(0.5));
+        assert!(check(&p, &rows, 0.25, witness(&coefficients, &[])).is_err());
+    }
 }

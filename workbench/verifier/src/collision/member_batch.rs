@@ -225,4 +225,31 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_point_with_a_false_answer_is_named() {
+        let body = Body { center: &[0.0, 0.0], generators: &[[1.0, 0.0], [0.0, 1.0]], pose: None };
+        let points = [vec![0.5, 0.0], vec![0.5, 0.25], vec![0.0, 3.0]];
+        let right = [(Status::Inside, 0.5), (Status::Inside, 0.5), (Status::Outside, 3.0)];
+        for (index, false_answer) in [(1, (Status::Outside, 0.5)), (2, (Status::Outside, 2.0))] {
+            let mut answers = right;
+            answers[index] = false_answer;
+            let complaint = check_member_batch(&body, &points, &answers).proof().expect_err("an answer is false");
+            assert!(complaint.contains(&format!("point {} is", index + 1)), "{complaint}");
+        }
+    }
+
+    /// The first answer is false, so that the limit alone takes time.
+    #[test]
+    fn as_many_facets_and_points_are_gone_through_as_the_limit_says() {
+        let generators: Vec<[f64; 2]> = (0..4_000).map(|k| [1.0, f64::from(k)]).collect();
+        let body = Body { center: &[0.0, 0.0], generators: &generators, pose: None };
+        let verdict = |count: usize| {
+            let answers = vec![(Status::Outside, 0.0); count];
+            check_member_batch(&body, &vec![vec![0.0, 0.0]; count], &answers)
+        };
+        let most = MOST_TRIALS / generators.len();
+        assert!(verdict(most).is_wrong());
+        assert!(matches!(verdict(most + 1), Verdict::Unchecked(_)));
+    }
 }

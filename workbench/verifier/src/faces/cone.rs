@@ -70,6 +70,7 @@ mod tests {
     fn half_spaces_by_hand() {
         assert!(found(1, &[&[-2], &[0], &[-1]]));
         assert!(!found(1, &[&[-2], &[1]]));
+        assert!(found(1, &[&[0], &[-2]]) && found(2, &[&[0, 1], &[0, -1], &[-1, 0]]), "orthogonal is not against");
         assert!(found(2, &[&[1, 0], &[-1, 0], &[0, -1]]));
         assert!(!found(2, &[&[1, 0], &[-1, 1], &[-1, -2]]));
         assert!(found(3, &[&[1, 0, 0], &[-1, 0, 0], &[0, 1, 0], &[0, -1, 0]]));

@@ -178,4 +178,74 @@ mod tests {
         assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, 2, 2, 0]]), None);
         assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, -1, 2, 0]]), Some(1));
     }
+
+    /// Generators of the plane of which no two are parallel: a facet each.
+    fn fan(count: usize) -> Vec<Vector> {
+        (0..count).map(|k| vec![IBig::ONE, IBig::from(k)]).collect()
+    }
+
+    fn repeated(row: &[i64], count: usize) -> Vec<Vector> {
+        std::iter::repeat_n(vectors(&[row]), count).flatten().collect()
+    }
+
+    /// A point far away tells at the first facet, so that the limit alone takes time.
+    #[test]
+    fn as_many_facets_and_points_are_gone_through_as_the_limit_says() {
+        let points = [repeated(&[1 << 40, 0], 1), repeated(&[0, 0], 64_000 - POINTS_A_FACET - 1)].concat();
+        assert_eq!(62_500 * (points.len() + POINTS_A_FACET) as u64, MOST_PAIRS);
+        assert_eq!(one_outside(2, &fan(62_500), &points), Ok(Some(0)));
+        assert_eq!(one_outside(2, &fan(62_501), &points), Err(TooMany));
+    }
+
+    /// Parallel generators span no facet, but they are taken for one that is open. Of 46 generators along the first
+    /// axis each is paired with all that follow it along this axis, before a facet comes that the point is beyond.
+    #[test]
+    fn open_facets_are_gone_through_up_to_the_limit() {
+        let search = |along: usize| {
+            let (first, second, third) = (|n| repeated(&[1, 0, 0], n), [0, 1, 0], [0, 0, 1]);
+            let generators =
+                [first(46), repeated(&second, 1), first(along - 46), repeated(&third, 12_499 - along)].concat();
+            let open_ones: usize = (1..=46).map(|taken| along - taken).sum();
+            let point = vectors(&[&[along as i64 + 1, 0, 0]]);
+            (((open_ones + 1) * generators.len()) as u64, one_outside(3, &generators, &point))
+        };
+        assert_eq!(search(6_980), (MOST_PAIRS, Ok(Some(0))));
+        assert_eq!(search(6_981), (46 * 12_500 + MOST_PAIRS, Err(TooMany)));
+    }
+
+    #[test]
+    fn bodies_are_held_against_each_other_up_to_the_limits() {
+        let long = repeated(&[1 << 40, 0], 1_500);
+        assert_eq!(62_500 * (62_500 + long.len()) as u64, MOST_PAIRS);
+        assert_eq!(contains_body(2, &fan(62_500), &long), Ok(false));
+        assert_eq!(contains_body(2, &fan(62_501), &long), Err(TooMany));
+        // Six generators have fifteen subsets of four.
+        let six = vectors(&[
+            &[1, 0, 0, 0, 0],
+            &[0, 1, 0, 0, 0],
+            &[0, 0, 1, 0, 0],
+            &[0, 0, 0, 1, 0],
+            &[0, 0, 0, 0, 1],
+            &[1, 1, 1, 1, 1],
+        ]);
+        let inner = |count: usize| [repeated(&[0, 0, 0, 0, 9], 1), repeated(&[0; 5], count - 1)].concat();
+        let most = (MOST_EXACT_PRODUCTS / 15) as usize - six.len();
+        assert_eq!(contains_body(5, &six, &inner(most)), Ok(false));
+        assert_eq!(contains_body(5, &six, &inner(most + 1)), Err(TooMany));
+        // Four dimensions are gone through in floating point, where more products are taken.
+        let curve: Vec<Vector> = (0..60).map(|t: i64| (0..4).map(|power| IBig::from(t.pow(power))).collect()).collect();
+        assert!(count_subsets(60, 3) * 61 < MOST_EXACT_PRODUCTS && count_subsets(60, 3) * 120 > MOST_EXACT_PRODUCTS);
+        assert_eq!(contains_body(4, &curve, &repeated(&[0, 0, 0, 1 << 40], 60)), Ok(false));
+    }
+
+    /// The point (2^60 + 3, −2^60) is three beyond the origin along (1, 1), less than its rounding.
+    #[test]
+    fn a_far_point_that_is_hardly_beyond_a_facet_is_found_there() {
+        let all = vectors(&[&[1, -1], &[1, 1], &[(1 << 60) + 3, -(1 << 60)], &[(1 << 60) + 2, -(1 << 60)]]);
+        let all_images = images(&all);
+        let body = Body { generators: &all[..2], images: &all_images[..2] };
+        let normal = Normal::of(2, &[0], &all).expect("one vector of the plane has a normal");
+        let beyond = |at: usize| body.first_beyond(&normal, &all[at..=at], &all_images[at..=at]);
+        assert_eq!((beyond(2), beyond(3)), (Some(0), None), "the facet is two from the origin");
+    }
 }

@@ -215,4 +215,44 @@ mod tests {
         assert_eq!(farthest_squared(3, &[]), Ok(IBig::ZERO));
         assert_eq!(farthest_squared(2, &[vec![IBig::ZERO, IBig::ZERO]]), Ok(IBig::ZERO));
     }
+
+    fn vectors(rows: &[&[i64]]) -> Vec<Vector> {
+        rows.iter().map(|row| row.iter().copied().map(IBig::from).collect()).collect()
+    }
+
+    #[test]
+    fn as_many_vectors_are_taken_as_the_limits_say() {
+        let ones = vec![vec![IBig::ONE]; MOST_VECTORS + 1];
+        assert_eq!(farthest_squared(1, &ones), Err(TooMany));
+        let sum = IBig::from(MOST_VECTORS);
+        assert_eq!(farthest_squared(1, &ones[1..]), Ok(&sum * &sum));
+        assert_eq!(farthest_squared(5, &vectors(&[&[1, 0, 0, 0, 0]])), Err(TooMany), "five dimensions");
+    }
+
+    /// The signs (+, +) come first, and (+, −) lead farther by a part of 2^-39.
+    #[test]
+    fn a_vertex_that_is_hardly_farther_than_one_before_is_not_passed_over() {
+        let long = 1_i64 << 40;
+        let pair = vectors(&[&[long, 0], &[-1, long]]);
+        let farther = IBig::from(long + 1) * IBig::from(long + 1) + IBig::from(long) * IBig::from(long);
+        assert_eq!((farthest_squared(2, &pair), by_all_signs(&pair)), (Ok(farther.clone()), farther));
+    }
+
+    /// Bodies of which climbs from other starts, or with other signs of orthogonal vectors, end at nearer vertices.
+    #[test]
+    fn climbs_from_the_axes_and_the_longest_vector_end_at_the_farthest_vertex_of_small_bodies() {
+        let bodies: [(&[&[i64]], i64); 6] = [
+            (&[&[1, 1, 0], &[0, 1, -2], &[-1, 1, 2]], 21),
+            (&[&[-1, 2, -2], &[1, 0, -1], &[-2, -1, -2], &[2, 1, 2]], 65),
+            (&[&[1, 0], &[0, 2], &[1, 1]], 13),
+            (&[&[-2, -2, 0], &[0, 1, -2], &[-2, 2, 2]], 33),
+            (&[&[-1, -1], &[2, 0], &[0, 2]], 18),
+            (&[&[0, 2, 0], &[-1, 0, 2], &[1, 1, 1]], 18),
+        ];
+        for (rows, farthest) in bodies {
+            let body = vectors(rows);
+            let found = far_vertex_squared(body[0].len(), &body);
+            assert_eq!((found, by_all_signs(&body)), (IBig::from(farthest), IBig::from(farthest)), "{rows:?}");
+        }
+    }
 }

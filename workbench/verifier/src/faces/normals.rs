@@ -174,4 +174,40 @@ mod tests {
         let close = vec![(IBig::ONE << 200) + 1, -(IBig::ONE << 200)];
         assert_eq!(side(&one, &close, &images(std::slice::from_ref(&close))[0]), 1, "decided exactly");
     }
+
+    #[test]
+    fn the_smallest_normal_double_is_kept_in_an_image() {
+        let far_apart = vec![IBig::ONE << 1021, IBig::ONE];
+        assert_eq!(own_image(&far_apart), [0.5, f64::MIN_POSITIVE, 0.0, 0.0]);
+    }
+
+    fn with_image(exact: Vector) -> Normal {
+        Normal { subset: vec![], image: own_image(&exact), exact }
+    }
+
+    #[test]
+    fn bounds_of_a_reach_hold_for_no_generator_and_for_many() {
+        let diagonal = with_image(vector(&[1, 1]));
+        let [low, high] = reach_bounds(&diagonal, &[]);
+        assert!(low <= 0.0 && high >= 0.0, "{low} {high}");
+        // The products are exact: a half of 3/4 and of 1/4.
+        let [low, high] = reach_bounds(&diagonal, &images(&vec![vector(&[3, 1]); 100]));
+        assert!(low <= 50.0 && high >= 50.0, "{low} {high}");
+        // A component of 2^-962 of the largest one is lost; its product is 2^-963.
+        let lost = images(&[vec![IBig::ONE << 2000, IBig::ONE << 1039]]);
+        let [low, high] = reach_bounds(&with_image(vector(&[0, 1])), &lost);
+        assert!(lost[0][1] == 0.0 && low <= 0.0 && high >= 0.5_f64.powi(963), "{low} {high}");
+    }
+
+    /// A product that is just what rounding and lost components may add up to, and a lost one that outweighs it.
+    #[test]
+    fn a_side_is_decided_exactly_up_to_the_bound_of_the_error() {
+        let bound = (0..4).fold(UNDERFLOW, |size, _| DOT_ERROR * size + UNDERFLOW);
+        let mantissa = IBig::from(bound.to_bits() & ((1 << 52) - 1) | 1 << 52);
+        let normal = with_image(vec![IBig::ONE, IBig::ONE << 500, IBig::ZERO]);
+        let v = vec![mantissa << 1085, -(IBig::ONE << 640), IBig::ONE << 1599];
+        let image = images(std::slice::from_ref(&v))[0];
+        assert_eq!((image_dot(&normal.image, &image), DOT_ERROR * bound + UNDERFLOW), (bound, bound));
+        assert_eq!(side(&normal, &v, &image), -1);
+    }
 }

@@ -126,6 +126,9 @@ fn orthogonal<'a>(rank: usize, mut rows: impl Iterator<Item = &'a Image>) -> Ima
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::linear::Vector;
+    use crate::faces::normals::images;
+    use dashu_int::IBig;
 
     /// Points a little inside and a little outside of the facets of random bodies, some of them with parallel and
     /// coplanar generators.
@@ -167,5 +170,52 @@ mod tests {
             }
         }
         assert!(clear > 300 && beyond > 300, "{clear} {beyond}");
+    }
+
+    /// Whether the facet of the plane that is parallel to the first vector is open, with the last vector as the point.
+    fn is_open_along_the_first(vectors: &[Vector]) -> bool {
+        let images = images(vectors);
+        let (generators, points) = images.split_at(images.len() - 1);
+        Pencils::new(2, generators, points).open(&[]).contains(&0)
+    }
+
+    fn upright(heights: impl IntoIterator<Item = IBig>) -> Vec<Vector> {
+        let first = vec![IBig::ONE, IBig::ZERO];
+        std::iter::once(first).chain(heights.into_iter().map(|height| vec![IBig::ZERO, height])).collect()
+    }
+
+    /// The last two thousand sums are rounded up, each by half of its last place.
+    #[test]
+    fn a_facet_is_open_for_a_point_a_unit_beyond_thousands_of_generators() {
+        let height = (IBig::ONE << 52) + (IBig::ONE << 10) + IBig::ONE;
+        let beyond = &height * IBig::from(4000) + IBig::ONE;
+        assert!(is_open_along_the_first(&upright(std::iter::repeat_n(height, 4000).chain([beyond]))));
+    }
+
+    #[test]
+    fn a_facet_is_clear_of_a_point_that_is_inside_by_more_than_rounding() {
+        let height = IBig::ONE << 40;
+        let heights = |short: i32| {
+            let point = &height * IBig::from(1000) - IBig::from(short);
+            std::iter::repeat_n(height.clone(), 1000).chain([point])
+        };
+        assert!(!is_open_along_the_first(&upright(heights(5000))), "5 parts of 10^12");
+        assert!(is_open_along_the_first(&upright(heights(0))));
+    }
+
+    /// The generator along the facet is so short that products with it are lost.
+    #[test]
+    fn a_facet_along_a_vanishing_generator_is_open_for_a_point_beyond_it() {
+        let height = IBig::ONE << 970;
+        let beyond = &height + (IBig::ONE << 900);
+        assert!(is_open_along_the_first(&upright([height, beyond])));
+    }
+
+    /// The first facet that a point is beyond names the point, so the order is part of an answer's text.
+    #[test]
+    fn open_facets_come_in_the_order_of_the_angles_of_their_generators() {
+        let rows = [[-1, 1], [0, -1], [1, 0], [1, 1], [90, -40]].map(|row: [i32; 2]| row.map(IBig::from).to_vec());
+        let images = images(&rows);
+        assert_eq!(Pencils::new(2, &images[..4], &images[4..]).open(&[]), [2, 3, 1, 0]);
     }
 }

@@ -124,4 +124,35 @@ mod tests {
         }
         assert!(narrow > 300, "{narrow}");
     }
+
+    fn of(rows: &[[i64; 3]]) -> Vec<WideVector> {
+        rows.iter().map(|row| WideVector::of(&row.map(IBig::from).to_vec())).collect()
+    }
+
+    #[test]
+    fn vectors_without_a_common_component_have_no_product() {
+        let [first, second] = [[5, 0, 0], [0, -3, 8]].map(|row| of(&[row])[0]);
+        assert_eq!((first.along(&second), first.reach(&[second], &[])), ([Wide::ZERO; 2], [Wide::ZERO; 2]));
+    }
+
+    /// Products of one that rounding loses whole: 2^60 + 1 − 2^60.
+    #[test]
+    fn bounds_of_a_reach_hold_for_vectors_that_are_almost_orthogonal() {
+        let long = 1 << 60;
+        let u = of(&[[long + 1, long, 0]])[0];
+        for count in 1..4 {
+            let [low, high] = u.reach(&of(&vec![[1, -1, 0]; count]), &[]);
+            let exact = Wide::of_whole(&IBig::from(count));
+            assert!(low.compare(exact).is_le() && exact.compare(high).is_le(), "{count} {low:?} {high:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_of_a_reach_hold_for_hundreds_of_vectors() {
+        let component = (1 << 20) - 1;
+        let own = of(&[[component; 3]]);
+        let [low, high] = own[0].reach(&own.repeat(200), &[]);
+        let exact = Wide::of_whole(&(IBig::from(600) * IBig::from(component) * IBig::from(component)));
+        assert!(low.compare(exact).is_le() && exact.compare(high).is_le(), "{low:?} {high:?}");
+    }
 }

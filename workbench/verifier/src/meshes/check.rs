@@ -221,4 +221,37 @@ mod tests {
         assert!(limited(&mut looked_at).is_ok() && limited(&mut looked_at).is_err());
         assert_eq!(looked_at, PAIR_LIMIT + 1);
     }
+
+    #[test]
+    fn a_pose_moves_a_mesh_by_its_translation_and_not_against_it() {
+        let [here, away] = [0.0, 5.0].map(|x| UNIT.map(|v| vec![v[0] + x, v[1], v[2]]));
+        let matrix = (0..3).map(|i| (0..3).map(|k| f64::from(u8::from(i == k))).collect()).collect();
+        let back = Pose { matrix, translation: vec![-5.0, 0.0, 0.0] };
+        let triangles = vec![vec![0, 1, 2]];
+        let a = Surface { vertices: &here, triangles: &triangles, pose: None };
+        let b = Surface { vertices: &away, triangles: &triangles, pose: Some(&back) };
+        let meeting = MeshAnswer::Meeting { witness: [0, 0], pairs: None };
+        assert!(check_meshes(&a, &b, &meeting).is_right());
+        assert!(check_meshes(&a, &Surface { pose: None, ..b }, &meeting).is_wrong());
+    }
+
+    #[test]
+    fn bounds_may_differ_by_their_share_and_by_two_of_the_smallest_doubles() {
+        let apart = |lower, upper| MeshAnswer::Apart { distance: Some([lower, upper]) };
+        assert!(judged(1000.0, apart(999.0, 1000.0)).is_right());
+        assert!(judged(1000.0, apart(999.0_f64.next_down(), 1000.0)).is_wrong());
+        let smallest = |count: u64| f64::from_bits(count);
+        assert!(judged(smallest(4), apart(smallest(3), smallest(5))).is_right());
+        assert!(judged(smallest(4), apart(smallest(3), smallest(6))).is_wrong());
+    }
+
+    #[test]
+    fn beyond_the_largest_double_the_upper_bound_is_infinite_and_a_number() {
+        let vertices = [-f64::MAX, f64::MAX].map(|z| UNIT.map(|v| vec![v[0], v[1], z]));
+        let triangles = vec![vec![0, 1, 2]];
+        let [a, b] = vertices.each_ref().map(|vertices| Surface { vertices, triangles: &triangles, pose: None });
+        let judged = |upper| check_meshes(&a, &b, &MeshAnswer::Apart { distance: Some([f64::MAX, upper]) });
+        assert!(judged(f64::INFINITY).is_right());
+        assert!(judged(f64::NAN).is_wrong() && judged(f64::MAX).is_wrong());
+    }
 }

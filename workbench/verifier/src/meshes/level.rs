@@ -93,11 +93,28 @@ mod tests {
         assert!(verdict(|_| ()).is_right());
         assert!(verdict(|node| node.generators[2][2] = 0.5f64.next_down()).is_wrong());
         assert!(verdict(|node| (node.generators[2][2], node.margin) = (0.25, 0.25)).is_right());
+        assert!(verdict(|node| (node.generators[2][2], node.margin) = (0.25, 0.2)).is_wrong());
         assert!(verdict(|node| node.margin = -1.0).is_wrong());
         assert!(verdict(|node| node.margin = f64::INFINITY).is_wrong());
         assert!(verdict(|node| node.triangles = vec![1]).is_wrong());
         assert!(verdict(|node| node.triangles = vec![]).is_wrong());
         assert!(verdict(|node| node.center = vec![1.0]).is_wrong());
         assert!(check_mesh_level(&mesh, 0, &[node.clone(), node]).is_wrong());
+    }
+
+    #[test]
+    fn a_level_has_at_most_its_number_of_nodes_and_none_of_them_is_empty() {
+        let vertices = [vec![0.0; 3], vec![1.0, 0.0, 0.0]];
+        let mesh = Surface { vertices: &vertices, triangles: &[vec![0, 0, 1], vec![0, 1, 1]], pose: None };
+        let node = |triangles: &[usize]| ClaimedNode {
+            center: vec![0.5, 0.0, 0.0],
+            generators: vec![vec![0.5, 0.0, 0.0]],
+            margin: 0.0,
+            triangles: triangles.to_vec(),
+        };
+        let (both, apart) = ([node(&[0, 1])], [node(&[0]), node(&[1])]);
+        assert!((0..3).all(|level| check_mesh_level(&mesh, level, &both).is_right()));
+        assert!(check_mesh_level(&mesh, 0, &apart).is_wrong() && check_mesh_level(&mesh, 1, &apart).is_right());
+        assert!(check_mesh_level(&mesh, 1, &[node(&[0, 1]), node(&[])]).is_wrong());
     }
 }

@@ -119,4 +119,42 @@ mod tests {
         assert_eq!(widest_axis(&[at(0, -7, 0), at(0, 4, 0)], &[at(5, 3, 9)]), 1);
         assert_eq!(widest_axis(&[at(90, 90, -6)], &[at(95, 93, 5)]), 2);
     }
+
+    /// Boxes with small whole ends, so that many are just as far apart as the reach, held to a look at all pairs.
+    #[test]
+    fn near_pairs_of_small_boxes_are_those_of_all_pairs() {
+        let mut state = 5_u64;
+        let mut next = |range: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % range
+        };
+        for round in 0..200 {
+            let mut ends = |from: u64| -> Vec<[[i64; 3]; 2]> {
+                let mut ends = || {
+                    let low = [0; 3].map(|_| (from + next(8)) as i64);
+                    [low, low.map(|low| low + next(4) as i64)]
+                };
+                (0..5).map(|_| ends()).collect()
+            };
+            // One of the lists begins farther along all axes every other time.
+            let (a, b) = (ends([0, 4][round % 2]), ends([0, 4, 0][round % 3]));
+            let boxes = |ends: &[[[i64; 3]; 2]]| -> Vec<Boxed> {
+                let corner = |end: &[i64; 3]| end.map(IBig::from);
+                ends.iter().map(|[low, high]| Boxed::new([corner(high), corner(low), corner(high)])).collect()
+            };
+            for reach in 0..4 {
+                let mut found = Vec::new();
+                let visited: Result<(), ()> = near_pairs(&boxes(&a), &boxes(&b), &IBig::from(reach), |pair| {
+                    found.push(pair);
+                    Ok(())
+                });
+                found.sort_unstable();
+                let is_near = |&[i, j]: &[usize; 2]| {
+                    (0..3).all(|k| a[i][0][k] - b[j][1][k] <= reach && b[j][0][k] - a[i][1][k] <= reach)
+                };
+                let all: Vec<[usize; 2]> = (0..5).flat_map(|i| (0..5).map(move |j| [i, j])).filter(is_near).collect();
+                assert_eq!((visited, found), (Ok(()), all), "{a:?} {b:?} {reach}");
+            }
+        }
+    }
 }

@@ -163,6 +163,9 @@ mod tests {
         }
         let [one, two] = [triangle([[0, 0, 0], [2, 2, 2], [1, 1, 1]]), triangle([[3, 3, 3], [4, 4, 4], [3, 3, 3]])];
         assert!(!meet(&one, &two) && meet(&one, &one));
+        // A segment of the plane below the side from (0, 0) to (2, 1).
+        let below = triangle([[2, 0, 0], [2, 0, 0], [1, 0, 0]]);
+        assert!(!meet(&below, &triangle([[0, 0, 0], [2, 1, 0], [0, 1, 0]])));
     }
 
     #[test]
