@@ -117,4 +117,25 @@ mod tests {
         assert!(check_mesh_level(&mesh, 0, &apart).is_wrong() && check_mesh_level(&mesh, 1, &apart).is_right());
         assert!(check_mesh_level(&mesh, 1, &[node(&[0, 1]), node(&[])]).is_wrong());
     }
+
+    /// A vertex that is outside by a fifth of its distance from the centre, which is 2^-959 of the generators.
+    #[test]
+    fn a_vertex_beyond_a_facet_by_far_less_than_the_body_is_large_is_outside() {
+        let power = |exponent: i32| 2.0f64.powi(exponent);
+        let y = 1.96875 * power(-959);
+        let vertices = [vec![power(-45), y, y], vec![0.0, 0.0, f64::from_bits(1)]];
+        let mesh = Surface { vertices: &vertices, triangles: &[vec![0, 1, 1]], pose: None };
+        let node = |margin: f64| ClaimedNode {
+            center: vec![0.0; 3],
+            generators: vec![
+                vec![1.0, -power(-916), 0.0],
+                vec![0.0, power(-920), -power(-920)],
+                vec![power(-41), 0.0, 0.0],
+            ],
+            margin,
+            triangles: vec![0],
+        };
+        assert!(check_mesh_level(&mesh, 0, &[node(0.0)]).is_wrong());
+        assert!(check_mesh_level(&mesh, 0, &[node(power(-957))]).is_right());
+    }
 }

@@ -280,4 +280,18 @@ mod tests {
         assert!(refused_for([5.0, 5.0], &[0.0, 0.0], "is zero"));
         assert!(refused_for([5.0, 5.0], &[0.0, 1.0], "differ by 0.0"));
     }
+
+    /// A rhombus that is 4e-170 wide, and its long diagonal.
+    #[test]
+    fn a_distance_far_below_the_size_of_the_bodies_is_not_nothing() {
+        let (rhombus, diagonal) = (vec![vec![0.5, 1e-170], vec![0.5, -1e-170]], vec![vec![1.0, 0.0]]);
+        let verdict = |value: f64, bounds: [f64; 2]| {
+            let answer = HausdorffAnswer { value, bounds, direction: vec![0.0, 1.0], is_subset: false };
+            check_hausdorff((&[0.0, 0.0], &rhombus), (&[0.0, 0.0], &diagonal), &answer)
+        };
+        for upper in [0.0, 1e-300, 1e-180, 1e-171, 1.9e-170] {
+            assert!(verdict(0.0, [0.0, upper]).is_wrong(), "{upper}");
+        }
+        assert!(verdict(2e-170, [2e-170, 2e-170]).is_right());
+    }
 }

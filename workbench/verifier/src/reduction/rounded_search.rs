@@ -31,7 +31,7 @@ impl<'a> RoundedBody<'a> {
         self.generators.iter().zip(&coefficients).for_each(|(g, &factor)| subtract(&mut rest, factor, g));
         for _ in 0..MOST_ROUNDS {
             let has_changed = self.improve(&mut coefficients, &mut rest);
-            if image_dot(&rest, &rest).sqrt() <= limit && self.farthest(point, &coefficients) <= limit {
+            if length(&rest) <= limit && self.farthest(point, &coefficients) <= limit {
                 return true;
             }
             if !has_changed {
@@ -73,8 +73,18 @@ impl<'a> RoundedBody<'a> {
         let count = (self.generators.len() + 8) as f64;
         let off: Image =
             std::array::from_fn(|axis| rest[axis].abs() + size[axis] * count * f64::EPSILON + count * UNDERFLOW);
-        image_dot(&off, &off).sqrt() * (1.0 + LENGTH_ERROR)
+        length(&off) * (1.0 + LENGTH_ERROR)
     }
+}
+
+/// The length of a vector, its squares in terms of the largest one: those of small components would vanish.
+fn length(vector: &Image) -> f64 {
+    let largest = vector.iter().fold(0.0, |largest, c| c.abs().max(largest));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    let unit = vector.map(|c| c / largest);
+    largest * image_dot(&unit, &unit).sqrt()
 }
 
 fn subtract(from: &mut Image, factor: f64, vector: &Image) {
@@ -131,5 +141,18 @@ mod tests {
         let farthest = RoundedBody::new(&square).farthest(&[0.875, 0.5, 0.0, 0.0], &[1.0, 0.0]);
         let excess = (farthest - 0.625) / f64::EPSILON;
         assert!((21.5..23.0).contains(&excess), "{excess}");
+    }
+
+    #[test]
+    fn distances_whose_squares_vanish_are_no_less() {
+        let body = RoundedBody::new(&[[0.5, 0.0, 0.0, 0.0]]);
+        for size in [1e-170, 1e-200, 1e-280] {
+            let is_near = |limit: f64| body.is_near(&[0.5, 0.0, size, 0.0], limit);
+            assert!(!is_near(0.0) && !is_near(1e-300) && !is_near(0.5 * size), "{size}");
+        }
+        assert!(body.is_near(&[0.5, 1e-170, 0.0, 0.0], 1e-14));
+        // components that are left out of images may be that large
+        let left_out = 9.0 * UNDERFLOW;
+        assert!(!body.is_near(&[0.0, left_out, 0.0, 0.0], 0.5 * left_out));
     }
 }
