@@ -56,7 +56,7 @@ pub mod mutants {
 """
 
 TESTS_BESIDE = {"verifier": ["planted_errors"]}
-"""What else is written to hold a library: programs of tests/tests, which ask it about changed answers of every kind."""
+"""The programs of tests/tests that hold a library beside its own tests: they ask it about changed answers."""
 
 LONGEST_TEST = 120.0
 """Seconds of a test that is used: one that takes longer is left out, and said so."""

@@ -140,7 +140,7 @@ mod tests {
             let found = verdict(&question, bounds[0], bounds[1], &[1.0, 0.0]);
             assert!(matches!(found, Err(Stop::Unchecked(_))), "{bounds:?}");
         }
-        // to the left it is two deep, upwards four, and a little turned a little more than one
+        // the point is two deep to the left and four upwards, and more than one in a direction that is turned
         let wrong: [&[f64]; 7] =
             [&[-1.0, 0.0], &[0.0, 1.0], &[1.0, 0.25], &[0.0, 0.0], &[1.0], &[1.0, 0.0, 0.0], &[1.0, f64::NAN]];
         for direction in wrong {
@@ -161,7 +161,7 @@ mod tests {
         }
     }
 
-    /// Depths next to the largest double, and beyond it.
+    /// The sides of the box are about as far away as the largest double, or farther.
     #[test]
     fn a_depth_beyond_the_doubles_has_an_infinite_bound() {
         let (infinite, unit) = (f64::INFINITY, 2.0f64.powi(1022));

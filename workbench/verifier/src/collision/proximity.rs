@@ -247,7 +247,7 @@ mod tests {
         assert!(!accepts(2.0, &deep));
     }
 
-    /// Each claim by itself: the others are right.
+    /// One claim is wrong at a time, and the others are right.
     #[test]
     fn one_wrong_claim_is_told() {
         let touching_with = |spoil: fn(&mut ProximityAnswer)| {

@@ -118,7 +118,7 @@ mod tests {
         assert!(check_mesh_level(&mesh, 1, &[node(&[0, 1]), node(&[])]).is_wrong());
     }
 
-    /// A vertex that is outside by a fifth of its distance from the centre, which is 2^-959 of the generators.
+    /// The vertex lies beyond a facet by less than 2^-960, where the generators are as long as 1.
     #[test]
     fn a_vertex_beyond_a_facet_by_far_less_than_the_body_is_large_is_outside() {
         let power = |exponent: i32| 2.0f64.powi(exponent);

@@ -270,7 +270,7 @@ mod tests {
         v.map(IBig::from)
     }
 
-    /// A stretch stays here, and is off by angles at its ends and between them.
+    /// The stretch of a body that stays where it is, but for angles by which it is off at its ends and between them.
     fn staying(ends_off: [i32; 2], chord: i32) -> Stretch {
         Stretch {
             turns: vec![identity()],
