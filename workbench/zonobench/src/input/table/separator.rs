@@ -15,13 +15,19 @@ const SAMPLE: usize = 32;
 /// A cell may have a decimal comma where commas do not separate.
 pub(super) fn of(content: &[u8]) -> u8 {
     let mut best: Option<(u8, f64)> = None;
-    for separator in SEPARATORS {
+    for separator in SEPARATORS.into_iter().filter(|&separator| occurs(content, separator)) {
         let share = share_of_numbers(content, separator);
         if let Some(share) = share.filter(|&share| best.is_none_or(|(_, most)| share > most)) {
             best = Some((separator, share));
         }
     }
     best.map_or(b',', |(separator, _)| separator)
+}
+
+/// Whether a separator is anywhere in a text: one that is not makes no table, and a reader that would show this costs
+/// more than a look through a small file.
+fn occurs(content: &[u8], separator: u8) -> bool {
+    content.contains(&separator) || (separator == b' ' && content.contains(&b'\t'))
 }
 
 /// The share of numbers among the cells that are not empty; `None` if nothing is separated.
