@@ -99,6 +99,8 @@ pub(crate) fn scaled_difference(p: f64, q: f64, exponent: i64) -> f64 {
 mod tests {
     use super::*;
     use crate::numeric::dyadic::Dyadic;
+    use crate::numeric::lanes::level::levels;
+    use fearless_simd::{dispatch, prelude::*};
     use proptest::prelude::*;
 
     #[test]
@@ -138,6 +140,25 @@ mod tests {
             let exact = (Dyadic::from_f64(p) - Dyadic::from_f64(q)).scaled(-2);
             let error = (Dyadic::from_f64(scaled_difference(p, q, -2)) - exact.clone()).abs();
             prop_assert!(error <= exact.abs().scaled(-53) + Dyadic::from_f64(f64::from_bits(1)));
+        }
+    }
+
+    #[inline(always)]
+    fn eight_times<S: Simd>(simd: S, factor: PowerOfTwo, values: &[f64; 8]) -> [f64; 8] {
+        let scaled = factor.apply_to_octet(f64x8::from_slice(simd, values));
+        std::array::from_fn(|lane| scaled[lane])
+    }
+
+    #[test]
+    fn eight_values_are_scaled_as_each_of_them_is() {
+        let values = [1.0, -3.0, f64::from_bits(1), f64::MAX, -0.0, 0.75, 1e-300, -1e300];
+        for exponent in [-1500, -1, 0, 1, 2000] {
+            let factor = PowerOfTwo::new(exponent);
+            for level in levels() {
+                let scaled = dispatch!(level, simd => eight_times(simd, factor, &values));
+                assert_eq!(scaled, values.map(|value| factor.apply(value)));
+                assert_eq!(scaled[1], scale_by_power_of_two(-3.0, exponent));
+            }
         }
     }
 }

@@ -119,5 +119,22 @@ mod tests {
         assert_eq!(square.times(long), None);
         let sum = |exponent| ShortDyadic::from_f64(1.0).plus(ShortDyadic::from_f64(1.0).scaled(exponent));
         assert_eq!((sum(120).map(ShortDyadic::sign), sum(200), sum(1 << 40)), (Some(1), None, None));
+        // a number that is shifted up keeps a bit for the sign and one for a carry
+        assert_eq!((sum(125).map(ShortDyadic::sign), sum(126)), (Some(1), None));
+    }
+
+    #[test]
+    fn a_sum_with_zero_is_short_whatever_the_exponent() {
+        let zero = ShortDyadic::from_f64(0.0);
+        for number in [-3000, 0, 3000].map(|exponent| ShortDyadic::from_f64(3.0).scaled(exponent)) {
+            assert_eq!((number.plus(zero), zero.plus(number)), (Some(number), Some(number)));
+        }
+    }
+
+    #[test]
+    fn a_number_of_all_bits_takes_a_short_one_of_its_unit() {
+        let longest = ShortDyadic { mantissa: (1 << 126) + 1, exponent: 7 };
+        let sum = longest.plus(ShortDyadic { mantissa: 1, exponent: 7 }).expect("the sum has 126 bits");
+        assert_eq!(exact(sum), Dyadic::new((1i128 << 126).into(), 7) + Dyadic::one().scaled(8));
     }
 }

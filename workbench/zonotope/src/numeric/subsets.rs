@@ -31,4 +31,16 @@ mod tests {
         assert_eq!(list(3, 0), [[0usize; 0]]);
         assert!(list(1, 2).is_empty());
     }
+
+    #[test]
+    fn each_subset_comes_once_and_in_order() {
+        for (count, size) in (0..7).flat_map(|count| (0..8).map(move |size| (count, size))) {
+            let members = |mask: u32| (0..count).filter(|i| mask >> i & 1 == 1).collect::<Vec<usize>>();
+            let mut all: Vec<Vec<usize>> = (0..1 << count).map(members).filter(|subset| subset.len() == size).collect();
+            all.sort();
+            let mut found = Vec::new();
+            for_each_subset(count, size, |subset| found.push(subset.to_vec()));
+            assert_eq!(found, all, "{size} of {count}");
+        }
+    }
 }

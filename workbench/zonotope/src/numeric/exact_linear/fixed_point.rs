@@ -153,4 +153,41 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_least_double_alone_is_kept() {
+        let least = f64::from_bits(1);
+        let mut sum = FixedPoint::zero(BitRange::of_sums([least], 1));
+        sum.add(least);
+        assert_eq!(sum.to_dyadic(), Dyadic::from_f64(least));
+    }
+
+    #[test]
+    fn a_range_has_its_sign_at_its_highest_bit() {
+        let bound = 2f64.powi(63);
+        let mut number = FixedPoint::zero(BitRange { lowest: 0, highest: 64 });
+        number.add(bound);
+        assert_eq!(number.to_dyadic(), Dyadic::from_f64(bound));
+    }
+
+    /// The sign takes the bit above the largest one of a number.
+    #[test]
+    fn ranges_have_room_for_the_sign_and_one_or_two_bits_beyond() {
+        for count in 1..70 {
+            let largest = |number: &Dyadic| {
+                let sum = number * &Dyadic::from_f64(count as f64);
+                sum.binary_exponent().expect("the number is not zero")
+            };
+            for number in [1.0, 2.0f64.next_down()] {
+                let range = BitRange::of_sums([number], count);
+                assert!((2..=3).contains(&(range.highest - largest(&Dyadic::from_f64(number)))), "{count} of {number}");
+            }
+            let [a, b] = [(-7, 5), (-20, 31)].map(|(lowest, highest)| BitRange { lowest, highest });
+            let products = a.of_products(b, count);
+            let end = |range: BitRange| Dyadic::one().scaled(range.highest) - Dyadic::one().scaled(range.lowest);
+            let product = end(a) * end(b);
+            assert_eq!((products.lowest, product.exponent()), (-27, -27));
+            assert!((2..=3).contains(&(products.highest - largest(&product))), "{count} products");
+        }
+    }
 }

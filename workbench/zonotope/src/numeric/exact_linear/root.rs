@@ -94,4 +94,17 @@ mod tests {
             prop_assert_eq!(root.nearest, if is_lower { root.below } else { root.above });
         }
     }
+
+    #[test]
+    fn roots_beside_a_double_and_beside_the_middle_of_two_are_told_from_these() {
+        let one_and = |exponent: i64| Dyadic::one() + Dyadic::one().scaled(exponent);
+        let (low, high) = (1.0, 1f64.next_up());
+        let middle = one_and(-53);
+        let square = &middle * &middle;
+        let bit = Dyadic::one().scaled(-120);
+        assert_eq!(of(square.clone()), Root { below: low, nearest: high, above: high });
+        assert_eq!(of(&square + &bit), Root { below: low, nearest: high, above: high });
+        assert_eq!(of(&square - &bit), Root { below: low, nearest: low, above: high });
+        assert_eq!(of(one_and(-120)), Root { below: low, nearest: low, above: high });
+    }
 }

@@ -155,6 +155,7 @@ pub(crate) fn maximize(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn numbers(values: &[i32]) -> Vec<Rational> {
         values.iter().map(|&v| Rational::from(v)).collect()
@@ -204,5 +205,68 @@ mod tests {
             maximize(&columns, &numbers(&[0, 0, 1]), 0, &mut ANY_WORK.clone()).expect("bounded").value,
             q(1, 20)
         );
+    }
+
+    #[test]
+    fn lengths_are_told_in_words_of_both_parts_of_a_fraction() {
+        let power = |exponent: usize| Rational::from(dashu_int::UBig::ONE << exponent);
+        let numbers = [Rational::ZERO, Rational::ONE, power(64), power(200), power(200) / Rational::from(3).pow(100)];
+        assert_eq!(numbers.each_ref().map(words), [1, 1, 2, 4, 6]);
+    }
+
+    #[test]
+    fn a_program_takes_the_work_of_its_changes_and_no_more() {
+        // Factors and pivots of the objective's changes have 2 and 1, 2 and 1, 2 and 4 words.
+        let [gain, bound] = [64usize, 200].map(|exponent| Rational::from(dashu_int::UBig::ONE << exponent));
+        let columns = [Column { inequalities: numbers(&[1]), equalities: vec![], gain: gain.clone() }];
+        let needed = [2 + 1 + 2, 2 + 1 + 1, 2 + 4 + 1].map(|sum| sum * sum + WORK_PER_CHANGE).iter().sum();
+        let mut work = needed;
+        let optimum = maximize(&columns, std::slice::from_ref(&bound), 0, &mut work).expect("all work is allowed");
+        assert_eq!((optimum.value, optimum.solution, work), (&gain * &bound, vec![bound.clone()], 0));
+        assert_eq!((optimum.inequality_prices, optimum.equality_prices), (vec![gain], vec![]));
+        assert_eq!(maximize(&columns, &[bound], 0, &mut (needed - 1)).err(), Some(NoOptimum::TooMuchWork));
+    }
+
+    #[test]
+    fn the_row_of_the_least_ratio_leaves() {
+        let columns = [column(&[2, 1], &[], 1)];
+        let optimum = maximize(&columns, &numbers(&[6, 4]), 0, &mut ANY_WORK.clone()).expect("bounded");
+        assert_eq!((optimum.value, optimum.solution), (3.into(), numbers(&[3])));
+    }
+
+    properties! {
+        #![proptest_config(crate::property_cases::config(2_000))]
+
+        #[test]
+        fn an_optimum_is_feasible_and_its_prices_prove_it(
+            entries in proptest::collection::vec(proptest::array::uniform4(-3i32..6), 1..5),
+            bounds in proptest::array::uniform2(0i32..9),
+        ) {
+            // two inequalities, one equality and the gain
+            let columns: Vec<Column> = entries.iter().map(|[a, b, c, gain]| column(&[*a, *b], &[*c], *gain)).collect();
+            let bounds = numbers(&bounds);
+            if let Ok(optimum) = maximize(&columns, &bounds, 1, &mut ANY_WORK.clone()) {
+                let sum = |terms: &mut dyn Iterator<Item = Rational>| terms.fold(Rational::ZERO, |sum, v| sum + v);
+                let of_row = |entry: &dyn Fn(&Column) -> Rational| {
+                    sum(&mut columns.iter().zip(&optimum.solution).map(|(column, value)| entry(column) * value))
+                };
+                prop_assert!(optimum.solution.iter().chain(&optimum.inequality_prices).all(|v| *v >= Rational::ZERO));
+                for (row, bound) in bounds.iter().enumerate() {
+                    prop_assert!(of_row(&|column| column.inequalities[row].clone()) <= *bound);
+                }
+                prop_assert_eq!(of_row(&|column| column.equalities[0].clone()), Rational::ZERO);
+                prop_assert_eq!(of_row(&|column| column.gain.clone()), optimum.value.clone());
+                for column in &columns {
+                    let cost = |prices: &[Rational], entries: &[Rational]| {
+                        sum(&mut prices.iter().zip(entries).map(|(price, entry)| price * entry))
+                    };
+                    let costs = cost(&optimum.inequality_prices, &column.inequalities)
+                        + cost(&optimum.equality_prices, &column.equalities);
+                    prop_assert!(costs >= column.gain);
+                }
+                let prices = optimum.inequality_prices.iter().zip(&bounds);
+                prop_assert_eq!(sum(&mut prices.map(|(price, bound)| price * bound)), optimum.value);
+            }
+        }
     }
 }

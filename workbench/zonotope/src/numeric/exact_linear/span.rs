@@ -167,7 +167,7 @@ mod tests {
     fn a_plane_of_space_by_hand() {
         let span = Span::of_doubles(&[[0.0, 2.0, 2.0], [0.0, -1.0, -1.0], [1.0, 1.0, 1.0]]);
         assert_eq!((span.rank(), span.pivots().collect::<Vec<_>>()), (2, vec![1, 0]));
-        assert_eq!(span.other_coordinates().collect::<Vec<_>>(), [2]);
+        assert_eq!((span.independent_coordinates(), span.other_coordinates().collect()), (vec![0, 1], vec![2]));
         assert_eq!(span.member(&[Rational::from(3), Rational::from(5)]), [5, 3, 3].map(Rational::from));
         assert_eq!(span.annihilators(), [[0, -1, 1].map(Rational::from)]);
         let exact = |v: [f64; 3]| v.map(Dyadic::from_f64);
@@ -175,6 +175,14 @@ mod tests {
         assert_eq!(span.direction_to(&exact([0.0, 3.0, 1.0])), Some(exact([0.0, 1.0, -1.0]).to_vec()));
         assert_eq!(span.project(&[1, 2, 3]), [2, 1]);
         assert_eq!(span.embed(&exact([1.0, 2.0, 0.0])[..2]), exact([2.0, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn no_vector_is_read_after_the_whole_space_is_spanned() {
+        let mut read = 0;
+        let vectors = [[1.0, 2.0], [2.0, 4.0], [0.0, 1.0], [5.0, 3.0], [1.0, 0.0]];
+        let span = Span::of(vectors.into_iter().inspect(|_| read += 1).map(|v| v.map(Dyadic::from_f64)), 2);
+        assert_eq!((span.rank(), read), (2, 3));
     }
 
     #[test]

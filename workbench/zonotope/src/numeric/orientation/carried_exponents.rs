@@ -83,4 +83,15 @@ mod tests {
         let vector = [1e300, 0.0, 0.0];
         assert_eq!(determinant_sign(&vector, &vector, &vector), Some(Ordering::Equal));
     }
+
+    #[test]
+    fn a_sum_decides_where_it_is_larger_than_its_bound() {
+        let size = 2f64.powi(1000);
+        let sign = |p: f64, q: f64| determinant_sign(&[size, 0.0, 0.0], &[0.0, p, 1.0], &[0.0, q, 1.0]);
+        let unit = 2f64.powi(-49);
+        let (p, q) = (1.0 + unit, 1.0 - unit);
+        assert_eq!((p - q, p + q), (2.0 * unit, 2.0));
+        assert_eq!([sign(p, q), sign(q, p), sign(1.0, 1.0)], [None; 3]);
+        assert_eq!([sign(p.next_up(), q), sign(q, p.next_up())], [Some(Ordering::Greater), Some(Ordering::Less)]);
+    }
 }

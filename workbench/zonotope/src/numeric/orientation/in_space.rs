@@ -168,6 +168,7 @@ fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ord
 mod tests {
     use super::*;
     use crate::numeric::dyadic::Dyadic;
+    use crate::tally::OperationCounts;
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = f64> {
@@ -217,6 +218,74 @@ mod tests {
             let [a, b, c] = [a, b, c].map(Direction::new);
             prop_assert_eq!(determinant_sign(&a, &b, &c), truth);
             prop_assert_eq!(determinant_sign(&b.reversed(), &a, &c), truth);
+        }
+    }
+
+    fn fallbacks(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> (Ordering, u64) {
+        let mut counts = OperationCounts::default();
+        let [a, b, c] = [a, b, c].map(Direction::new);
+        let sign = determinant_sign_counted(&a, &b, &c, &mut counts);
+        (sign, counts.get(Operation::ExactFallback))
+    }
+
+    #[test]
+    fn directions_are_told_by_the_arithmetic_that_is_exact_on_them() {
+        let precision = |v: [f64; 3]| Direction::new(v).precision;
+        let [bit, least] = [-15, -200].map(power_of_two);
+        let longest = 2.0 - bit;
+        for exponent in [-800, 0, 1000] {
+            let scaled = |v: [f64; 3]| v.map(|c| scale_by_power_of_two(c, exponent));
+            for short in [[1.0, 0.0, 0.0], [1.5, bit, -longest], [bit, 1.0, 0.0]] {
+                assert_eq!(precision(scaled(short)), Precision::Short);
+            }
+            for narrow in [[1.0, bit / 2.0, 0.0], [1.0, least, 0.0], [1.0, 0.1, -0.3], [-least, 0.0, 1.75]] {
+                assert_eq!(precision(scaled(narrow)), Precision::Narrow);
+            }
+        }
+        assert_eq!(precision([1.0, least.next_down(), 0.0]), Precision::Wide);
+        assert_eq!(precision([f64::MAX, 0.0, f64::from_bits(1)]), Precision::Wide);
+    }
+
+    #[test]
+    fn a_determinant_of_one_small_product_is_decided_by_doubles() {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let small = power_of_two(-60);
+        assert_eq!(fallbacks([small, 0.0, 1.0], y, z), (Ordering::Greater, 0));
+        assert_eq!(fallbacks([1.0, small, 0.0], z, x), (Ordering::Greater, 0));
+        assert_eq!(fallbacks([0.0, 1.0, small], x, y), (Ordering::Greater, 0));
+    }
+
+    #[test]
+    fn a_determinant_is_decided_by_doubles_where_it_is_larger_than_its_bound() {
+        let unit = power_of_two(-50);
+        let (p, q) = (1.0 + unit, 1.0 - unit);
+        assert_eq!((p - q, p + q), (2.0 * unit, 2.0));
+        let of = |p: f64, q: f64| fallbacks([1.0, 0.0, 0.0], [0.0, p, 1.0], [0.0, q, 1.0]);
+        assert_eq!(of(p, q), (Ordering::Greater, 1));
+        assert_eq!(of(p.next_up(), q), (Ordering::Greater, 0));
+        assert_eq!(of(q, p), (Ordering::Less, 1));
+        assert_eq!(of(q, p.next_up()), (Ordering::Less, 0));
+    }
+
+    #[test]
+    fn products_that_underflow_decide_no_sign_of_rows() {
+        let [size, side] = [-600, -237].map(power_of_two);
+        let a = [2.6, -1.4, -1.4].map(|c| c * size);
+        let (b, c) = ([side, -side, 0.0], [0.0, side, -side]);
+        // 2.6 − 1.4 − 1.4 < 0, and in units of the least double, rounded, 3 − 1 − 1 > 0
+        assert!(rounded_determinant(&a, &b, &c)[0] > 0.0);
+        assert_eq!(determinant_sign_of_rows(&a, &b, &c), Ordering::Less);
+    }
+
+    #[test]
+    fn sides_of_planes_are_exact_where_no_coordinate_is_zero() {
+        for size in [-1000, -400, 0, 400, 1000].map(power_of_two) {
+            let [a, b, c, above, below] =
+                [[1.0, 1.0, 1.0], [2.0, 1.0, 1.0], [1.0, 2.0, 1.0], [3.0, 3.0, 1.5], [3.0, 3.0, 0.5]]
+                    .map(|p| p.map(|x| x * size));
+            assert_eq!(side_of_plane(&a, &b, &c, &above), Ordering::Greater);
+            assert_eq!(side_of_plane(&a, &b, &c, &below), Ordering::Less);
+            assert_eq!(side_of_plane(&a, &b, &c, &[3.0 * size, 5.0 * size, size]), Ordering::Equal);
         }
     }
 }

@@ -151,3 +151,65 @@ fn products_that_overflow_only_when_split_are_decided() {
         [-8.738336637278712e149, -3.0614997381285394e150],
     ]);
 }
+
+#[test]
+fn turns_are_signs_and_are_reversed_by_a_reflection() {
+    let turns = [Turn::Right, Turn::Straight, Turn::Left];
+    assert_eq!(turns.map(Turn::sign), [Ordering::Less, Ordering::Equal, Ordering::Greater]);
+    assert_eq!(turns.map(|turn| Turn::from(turn.sign())), turns);
+    assert_eq!(turns.map(Turn::reverse), [Turn::Left, Turn::Straight, Turn::Right]);
+}
+
+/// Points a few units in the last place from the diagonal, seen against two points of it far away.
+#[test]
+fn points_beside_the_diagonal_are_on_their_side_at_every_size() {
+    for size in [-300, -40, 0, 40, 300].map(|exponent| 2f64.powi(exponent)) {
+        let [b, c] = [12.1, 24.3].map(|t| [t * size; 2]);
+        let mut turned = 0;
+        for (x, y) in (0..48).flat_map(|x| (0..48).map(move |y| (x, y))) {
+            let a = [x, y].map(|steps| (0.5 + f64::from(steps) * UNIT) * size);
+            let truth = Turn::from(y.cmp(&x));
+            assert_eq!(orientation(a, b, c), truth, "{x}, {y}");
+            let rounded = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+            turned += usize::from(rounded != 0.0 && Turn::from_sign_of(rounded) != truth);
+        }
+        assert!(turned > 100, "doubles alone tell {turned} wrong sides");
+    }
+}
+
+#[test]
+fn what_an_edge_leaves_behind_its_doubles_decides_a_tie_of_these() {
+    let (a, b) = ([2f64.powi(-60), 0.0], [1.0, 1.0]);
+    let (c, d) = ([0.0, 0.0], [1.0, 1.0]);
+    assert_eq!((cross_sign(a, b, c, d), cross_sign(c, d, a, b)), (Turn::Right, Turn::Left));
+}
+
+#[test]
+fn a_scale_is_found_where_sizes_differ_by_less_than_the_range_of_expansions() {
+    let power = |exponent: i32| 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
+    let range = power(LOWEST_EXPONENT)..power(HIGHEST_EXPONENT);
+    let spans = [0, 1, 2, 30, 500, 878, 879, 880, 881, 1500];
+    for low in [-1074, -1022, -1000, -880, -402, -401, -400, -399, -200, -1, 0, 100, 479, 480, 481, 900, 1023] {
+        for high in spans.map(|span| low + span).into_iter().filter(|high| *high < 1024) {
+            let points = [[power(low), -power(high)], [0.0, 0.0], [-power(low), 0.0], [0.0, power(high)]];
+            let scale = exact_scale(&points);
+            assert_eq!(scale.is_some(), high - low < 880, "2^{low} and 2^{high}");
+            if let Some(scale) = scale {
+                let scaled = [low, high].map(|exponent| power(exponent) * scale);
+                assert!(scaled.iter().all(|size| range.contains(size)), "2^{low} and 2^{high}");
+                assert!(scale == 1.0 || !(range.contains(&power(low)) && range.contains(&power(high))));
+            }
+        }
+    }
+    assert_eq!(exact_scale(&[[0.0; 2]; 4]), Some(1.0));
+}
+
+#[test]
+fn edges_are_equal_or_opposite_to_their_translates_and_reflections_alone() {
+    let edge = ExactEdge::new([1.0, 2f64.powi(-60)], [4.0, 7.0]);
+    let is_parallel = |from, to| edge.is_equal_or_opposite_to(&ExactEdge::new(from, to));
+    assert!(is_parallel([1.0, 2f64.powi(-60)], [4.0, 7.0]) && is_parallel([4.0, 7.0], [1.0, 2f64.powi(-60)]));
+    assert!(is_parallel([0.0, -2f64.powi(-60)], [-3.0, -7.0]) && is_parallel([-3.0, -7.0], [0.0, -2f64.powi(-60)]));
+    assert!(!is_parallel([1.0, 0.0], [4.0, 7.0]) && !is_parallel([4.0, 7.0], [1.0, 0.0]));
+    assert!(!is_parallel([0.0, 0.0], [-3.0, 7.0]) && !is_parallel([0.0, 0.0], [3.0, -7.0]));
+}
