@@ -150,6 +150,33 @@ mod tests {
     }
 
     #[test]
+    fn zeros_have_no_sign() {
+        let below = Dyadic::one().scaled(-1200);
+        assert_eq!(at_least(&-below.clone()).to_bits(), 0);
+        assert_eq!(fraction_at_least(&-below.to_rational()).to_bits(), 0);
+        assert_eq!(fraction_at_most(&below.to_rational()).to_bits(), 0);
+        for zero in [0.0, -0.0].map(BoundedDoubleDouble::exact) {
+            assert_eq!([certain_at_least(&zero), certain_at_most(&zero)].map(|v| v.map(f64::to_bits)), [Some(0); 2]);
+        }
+    }
+
+    #[test]
+    fn fractions_that_are_small_whole_numbers_stay() {
+        for number in [-3.0, -1.0, 0.0, 0.5, 2.0] {
+            let fraction = Dyadic::from_f64(number).to_rational();
+            assert_eq!([fraction_at_most(&fraction), fraction_at_least(&fraction)], [number; 2]);
+        }
+    }
+
+    #[test]
+    fn the_least_double_that_is_not_below_is_found_from_either_side() {
+        for steps in -3..4 {
+            let near = 1.0 + f64::from(steps) * f64::EPSILON;
+            assert_eq!(least_upper(near, |value| value < 1.0), 1.0);
+        }
+    }
+
+    #[test]
     fn few_bits_are_rounded_up() {
         let cases = [(1.0, 1.0), (1.25, 1.25), (1.25f64.next_up(), 1.5), (1.75f64.next_up(), 2.0)];
         assert_eq!(cases.map(|(value, _)| with_leading_bits_at_least(value, 3)), cases.map(|(_, rounded)| rounded));
@@ -183,6 +210,9 @@ mod tests {
         let lost = part.to_f64();
         assert_eq!(loss.generators().collect::<Vec<_>>(), [[0.0, 2.0 * lost, 0.0], [0.0, 0.0, lost]]);
         assert_eq!(axis_generators([0.0, 0.0]).count(), 0);
+        loss.widen(1, &one);
+        let wider = [[0.0, (1.0 + 2.0 * lost).next_up(), 0.0], [0.0, 0.0, lost]];
+        assert_eq!(loss.generators().collect::<Vec<_>>(), wider);
     }
 
     properties! {

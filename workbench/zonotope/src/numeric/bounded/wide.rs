@@ -133,9 +133,13 @@ ring_of_values!(BoundedWide, BoundedWide::ZERO, BoundedWide { part: Bounded::exa
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::bounded::tests::{ends, operand, pairs};
     use crate::numeric::exact_linear;
     use crate::numeric::linear::{cross, dot};
+    use crate::numeric::scaling::power_of_two;
     use proptest::prelude::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
 
     /// A double of any size, often at an end of the range, zero, or one more than a power of two.
     fn double(bits: u64) -> f64 {
@@ -181,5 +185,95 @@ mod tests {
         assert_eq!((least * least - most * most).sign(), Some(-1));
         assert_eq!((most - most).sign(), None);
         assert_eq!((BoundedWide::ZERO * most + least).sign(), Some(1));
+    }
+
+    /// A number whose double is near 1 or 0, with an error that is none, a part of it, tiny or large.
+    fn wide(rng: &mut Pcg64Mcg) -> BoundedWide {
+        let value = if rng.random_ratio(1, 3) { 0.0 } else { scale_by_power_of_two(1.5, rng.random_range(-100..101)) };
+        let error = match rng.random_range(0..4) {
+            0 => 0.0,
+            1 => power_of_two([-950, -899, -600, 0][rng.random_range(0..4)]),
+            _ => value.abs() * power_of_two(rng.random_range(-60..-2)),
+        };
+        let exponent = [0, 0, 1, -200, 300, 400, 401, 500, -5000][rng.random_range(0..9)];
+        BoundedWide { part: Bounded { value: if rng.random() { value } else { -value }, error }, exponent }
+    }
+
+    /// Holds a result to the exact values that it may have: each is within the bound, which is at most four times the
+    /// distance of the farthest one, one rounding, and what may vanish.
+    fn is_good(result: &BoundedWide, exact: &[Dyadic], vanishing: &Dyadic) {
+        let scaled = |v: f64| Dyadic::from_f64(v).scaled(result.exponent);
+        let (value, error) = (scaled(result.part.value), scaled(result.part.error));
+        let farthest = exact.iter().map(|exact| (exact - &value).abs()).max().expect("there is an exact value");
+        assert!(farthest <= error, "{result:?}");
+        let allowed = &(&farthest + &value.abs().scaled(-53)) + vanishing;
+        assert!(error <= allowed.scaled(2), "{result:?}");
+    }
+
+    #[test]
+    fn bounds_are_at_most_four_times_what_the_operands_explain() {
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        for _ in 0..5000 {
+            let (x, y) = (wide(&mut rng), wide(&mut rng));
+            let exactly = |operation: fn(&Dyadic, &Dyadic) -> Dyadic| {
+                let scaled = |v: &Dyadic, of: &BoundedWide| v.clone().scaled(of.exponent);
+                pairs(&x.part, &y.part, |v, w| operation(&scaled(v, &x), &scaled(w, &y)))
+            };
+            // A summand that is 2^-400 of a double of at most 2^101 is only an error.
+            let negligible = Dyadic::one().scaled(x.exponent.max(y.exponent) - 298);
+            is_good(&(x + y), &exactly(|v, w| v + w), &negligible);
+            is_good(&(x - y), &exactly(|v, w| v - w), &negligible);
+            is_good(&(x * y), &exactly(|v, w| v * w), &Dyadic::one().scaled(x.exponent + y.exponent - 899));
+        }
+    }
+
+    #[test]
+    fn numbers_of_all_sizes_are_scaled_within_their_bounds() {
+        let mut rng = Pcg64Mcg::seed_from_u64(2);
+        for _ in 0..4000 {
+            let part = operand(&mut rng);
+            if part.error > part.value.abs() * 2.0 {
+                continue;
+            }
+            let result = BoundedWide::normalized(part, 7);
+            let exact = ends(&part).map(|end| end.scaled(7));
+            is_good(&result, &exact, &Dyadic::one().scaled(result.exponent - 899));
+            assert_eq!(result.part.error == 0.0, part.error == 0.0, "{part:?}");
+        }
+    }
+
+    #[test]
+    fn doubles_keep_their_exponent_up_to_the_largest_one() {
+        for (own, exponent) in [(100, 0), (101, 101), (-100, 0), (-101, -101), (0, 0)] {
+            let number = BoundedWide::exact(power_of_two(own));
+            assert_eq!((number.exponent, number.part.error), (exponent, 0.0), "{own}");
+            assert_eq!(number.part.value, power_of_two(own - exponent as i32), "{own}");
+        }
+    }
+
+    #[test]
+    fn zero_has_one_form() {
+        let shifted = BoundedWide::of(&Dyadic::zero().scaled(9));
+        for zero in [BoundedWide::exact(0.0), shifted, BoundedWide::normalized(Bounded::exact(0.0), 7)] {
+            assert_eq!((zero.part.value, zero.part.error, zero.exponent), (0.0, 0.0, 0));
+        }
+    }
+
+    #[test]
+    fn what_cancels_is_not_zero_but_within_its_bound() {
+        let [a, b] = [0.1, 0.3].map(BoundedWide::exact);
+        let cancelled = a * b - a * b;
+        assert!(!cancelled.is_zero() && cancelled.sign().is_none());
+        assert_eq!((cancelled * BoundedWide::exact(f64::MAX) + b).sign(), None);
+        assert_eq!((a - a).sign(), None);
+    }
+
+    #[test]
+    fn summands_are_only_errors_beyond_the_negligible_distance() {
+        let doubt = BoundedWide { part: Bounded { value: 0.0, error: power_of_two(-899) }, exponent: 0 };
+        for (distance, sign) in [(399, Some(1)), (400, Some(1)), (401, None)] {
+            let one = BoundedWide { part: Bounded::exact(1.0), exponent: -distance };
+            assert_eq!((doubt + one).sign(), sign, "{distance}");
+        }
     }
 }

@@ -70,6 +70,7 @@ impl DoubleDoubleDirection {
 mod tests {
     use super::*;
     use crate::numeric::exact_linear::{cross, dot, exact};
+    use crate::numeric::scaling::power_of_two;
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = f64> {
@@ -110,5 +111,46 @@ mod tests {
             assert_eq!(rounded.certain_sign(&[-size, -size, 0.0]), Some(-1));
         }
         assert_eq!(rounded.certain_sign(&[0.0; 3]), None);
+    }
+
+    fn powers(exponents: [i64; 3]) -> [Dyadic; 3] {
+        exponents.map(|exponent| Dyadic::one().scaled(exponent))
+    }
+
+    #[test]
+    fn moderate_products_are_the_exact_ones_times_a_power_of_two() {
+        let direction = [3.0, -5.0, 0.75].map(|c| Dyadic::from_f64(c).scaled(40));
+        let rounded = DoubleDoubleDirection::of(&direction);
+        for v in [[1.0, 2.0, 3.0], [0.0, -7.0, 0.1], [1e-80, 1e80, 0.0], [0.0; 3], [5.0, 3.0, 1e-30]] {
+            let product = rounded.moderate_product(&v).expect("all sizes are moderate");
+            // The power of two below the largest coordinate is 2^42.
+            let off = (product.to_dyadic() - dot(&exact(v), &direction).scaled(-42)).abs();
+            let (_, error) = product.parts();
+            let size = v.iter().map(|c| c.abs()).sum::<f64>();
+            assert!(off <= Dyadic::from_f64(error), "{v:?}");
+            assert!(error <= size * power_of_two(-92) + power_of_two(-950), "{v:?}");
+        }
+    }
+
+    #[test]
+    fn products_are_moderate_where_all_sizes_are() {
+        let v = [1.0; 3];
+        for (exponent, is_moderate) in [(-299, true), (-300, false), (-301, false), (299, true), (300, false)] {
+            let direction = DoubleDoubleDirection::of(&powers([0, exponent, 0]));
+            assert_eq!(direction.moderate_product(&v).is_some(), is_moderate, "{exponent}");
+            assert_eq!(direction.certain_sign(&v), Some(1), "{exponent}");
+        }
+        let direction = DoubleDoubleDirection::of(&powers([0; 3]));
+        for (size, is_moderate) in [(0.0, true), (power_of_two(-300), true), (1e-300, false), (1e300, false)] {
+            assert_eq!(direction.moderate_product(&[1.0, size, size]).is_some(), is_moderate, "{size:e}");
+            assert_eq!(direction.certain_sign(&[1.0, size, size]), Some(1), "{size:e}");
+        }
+    }
+
+    #[test]
+    fn terms_beyond_the_doubles_tell_no_sign() {
+        let direction = DoubleDoubleDirection::of(&[1.875, -1.0, -1.0].map(Dyadic::from_f64));
+        assert_eq!(direction.certain_sign(&[f64::MAX; 3]), Some(-1));
+        assert_eq!(direction.certain_sign(&[-f64::MAX; 3]), Some(1));
     }
 }

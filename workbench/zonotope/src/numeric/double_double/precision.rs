@@ -69,3 +69,42 @@ impl Precision for Dyadic {
         Some(self.sign())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The signs of sums that are certain in a precision.
+    fn signs<T: Precision>(sums: &[[f64; 2]]) -> Vec<Option<Ordering>> {
+        sums.iter().map(|sum| T::of_sum(*sum).certain_sign()).collect()
+    }
+
+    #[test]
+    fn every_precision_tells_the_sign_of_sums_and_exact_numbers_tell_that_of_zero() {
+        let rest = f64::EPSILON / 4.0;
+        let sums = [[1.0, rest], [1.0, -rest], [-1.0, rest], [-1.0, 0.0]];
+        let expected = [Ordering::Greater, Ordering::Greater, Ordering::Less, Ordering::Less].map(Some);
+        assert_eq!(signs::<Bounded>(&sums), expected);
+        assert_eq!(signs::<BoundedWide>(&sums), expected);
+        assert_eq!(signs::<BoundedDoubleDouble>(&sums), expected);
+        assert_eq!(signs::<Dyadic>(&sums), expected);
+        let zero = [[0.0, 0.0]];
+        assert_eq!(signs::<Dyadic>(&zero), [Some(Ordering::Equal)]);
+        let rounded = [signs::<Bounded>(&zero), signs::<BoundedWide>(&zero), signs::<BoundedDoubleDouble>(&zero)];
+        assert_eq!(rounded.concat(), [None; 3]);
+    }
+
+    #[test]
+    fn the_second_double_of_a_sum_counts_where_the_first_one_cancels() {
+        let rest = f64::EPSILON / 4.0;
+        for (rest, sign) in [(rest, Ordering::Greater), (-rest, Ordering::Less)] {
+            let one = |tail| <Dyadic as Precision>::of_sum([1.0, tail]);
+            assert_eq!(one(rest).minus(&one(0.0)).certain_sign(), Some(sign));
+            let one = |tail| <BoundedDoubleDouble as Precision>::of_sum([1.0, tail]);
+            assert_eq!(one(rest).minus(&one(0.0)).certain_sign(), Some(sign));
+            // A double alone does not tell it.
+            let one = |tail| <Bounded as Precision>::of_sum([1.0, tail]);
+            assert_eq!(one(rest).minus(&one(0.0)).certain_sign(), None);
+        }
+    }
+}
