@@ -340,4 +340,27 @@ mod tests {
             }
         }
     }
+
+    /// Each block has one vector that is not zero: the sum of the first two is the tail, and the third is what the tail
+    /// has no room for.
+    #[test]
+    fn what_rounding_the_tail_leaves_behind_is_kept() {
+        let terms = [1.0, power_of_two(-60), power_of_two(-120), -1.0];
+        let blocks = terms.iter().flat_map(|term| std::iter::once([*term; 3]).chain(vec![[0.0; 3]; BLOCK - 1]));
+        let vectors: Vec<[f64; 3]> = blocks.collect();
+        let [sum, ..] = combined_sum(Rows::new(&vectors), &vec![1.0; vectors.len()]);
+        assert_eq!(sum.to_dyadic(), Dyadic::from_f64(terms[1]) + Dyadic::from_f64(terms[2]));
+        assert!(sum.is_known());
+    }
+
+    #[test]
+    fn a_common_magnitude_is_that_of_two_neighbours_among_the_first() {
+        let with_pair = |at: usize, count: u8| {
+            let mut coefficients: Vec<f64> = (0..count).map(|i| f64::from(i) / 100.0).collect();
+            coefficients[at..at + 2].copy_from_slice(&[0.9, -0.9]);
+            common_magnitude(&coefficients)
+        };
+        assert_eq!([with_pair(0, 64), with_pair(7, 64), with_pair(7, 80)], [Some(0.9); 3]);
+        assert_eq!([with_pair(8, 64), with_pair(0, 63)], [None; 2]);
+    }
 }

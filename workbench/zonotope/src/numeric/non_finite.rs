@@ -191,4 +191,32 @@ mod tests {
         );
         assert_eq!(NonFinite::check_list("generator", &long[..13]), Ok(()));
     }
+
+    #[test]
+    fn one_number_that_is_not_finite_is_found_wherever_it_stands() {
+        for len in 0..100 {
+            let mut numbers: Vec<f64> = (0..len).map(|i| f64::from(i) - 40.0).collect();
+            assert!(are_finite(&numbers), "{len}");
+            for at in 0..numbers.len() {
+                for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                    let finite = std::mem::replace(&mut numbers[at], value);
+                    assert!(!are_finite(&numbers), "{value} at {at} of {len}");
+                    numbers[at] = finite;
+                }
+            }
+        }
+        let largest = [f64::MAX; 3];
+        assert!(is_finite(&largest) && is_finite(&[]) && are_finite(&[f64::MAX; 70]));
+        assert!((0..3).all(|at| !is_finite(&[0, 1, 2].map(|k| if k == at { f64::NAN } else { 1.0 }))));
+    }
+
+    #[test]
+    fn an_entry_of_a_matrix_is_named_by_its_row_and_its_column() {
+        for (row, column) in [(0, 2), (1, 0), (2, 1)] {
+            let mut rows = [[1.0; 3]; 3];
+            rows[row][column] = f64::INFINITY;
+            let refused = NonFinite { place: Place::Entry { row, column }, value: f64::INFINITY };
+            assert_eq!(NonFinite::check_matrix(&rows), Err(refused));
+        }
+    }
 }

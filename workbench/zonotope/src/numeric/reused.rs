@@ -153,7 +153,7 @@ mod tests {
 
     struct Item(#[expect(dead_code, reason = "it is what an item may hold")] Reused<Item>);
 
-    keep_lists_of!(i16, Item);
+    keep_lists_of!(i16, i32, i64, Item);
 
     fn waiting<T: Kept>() -> usize {
         T::among_waiting(|waiting| waiting.len()).expect("the thread is alive")
@@ -188,5 +188,20 @@ mod tests {
         }
         drop(Reused::<i16>::with_capacity(LONGEST_KEPT));
         assert_eq!(waiting::<i16>(), 0);
+    }
+
+    #[test]
+    fn the_longest_list_that_is_kept_has_the_limit_in_bytes() {
+        let longest = LONGEST_KEPT / size_of::<i32>();
+        drop(Reused::<i32>::with_capacity(longest + 1));
+        assert_eq!(waiting::<i32>(), 0);
+        drop(Reused::<i32>::with_capacity(longest));
+        assert_eq!(waiting::<i32>(), 1);
+    }
+
+    #[test]
+    fn a_list_of_known_length_takes_its_memory_at_once() {
+        let list: Reused<i64> = (0..1000).collect();
+        assert_eq!(list.capacity(), 1000);
     }
 }

@@ -144,4 +144,35 @@ mod tests {
             prop_assert_eq!(&sum[1], &Dyadic::from_f64(count));
         }
     }
+
+    #[test]
+    fn few_doubles_of_similar_sizes_are_summed_up_as_integers() {
+        let one = |value: f64| Dyadic::from_f64(value);
+        assert_eq!([short_sum(&[]), short_sum(&[0.0, -0.0])], [Some(Dyadic::zero()), Some(Dyadic::zero())]);
+        assert_eq!(short_sum(&[3.0, 0.0, 2.5, -1.25]), Some(one(4.25)));
+        assert_eq!(short_sum(&[1.5, 1.25]), Some(one(2.75)));
+        // the most that an integer has room for, and one place more
+        let largest = power_of_two(53) - 1.0;
+        let mut block = [largest * power_of_two(SHIFT_LIMIT - 52); BLOCK];
+        block[7] = 1.0;
+        let sum = (0..BLOCK).fold(Dyadic::zero(), |sum, k| sum + one(block[k]));
+        assert_eq!(short_sum(&block), Some(sum));
+        block[7] = 0.5;
+        assert_eq!(short_sum(&block), None);
+        // the sum is in units of the last place of the least
+        let [x, ..] = signed_sum([([4.0, 1.0, 1.0], 1), ([1.0; 3], -1)].into_iter());
+        assert_eq!((x.exponent(), x), (-52, one(3.0)));
+    }
+
+    #[test]
+    fn two_steps_take_all_of_the_doubles_that_are_not_far_smaller_than_the_largest() {
+        let mut sum = ExactSum::default();
+        let mut block: [f64; BLOCK] = std::array::from_fn(|k| {
+            let digits = (k as f64 + 1.5).sqrt();
+            if k % 2 == 0 { digits } else { -digits * power_of_two(-26) }
+        });
+        let truth = block.iter().fold(Dyadic::zero(), |sum, v| sum + Dyadic::from_f64(*v));
+        add_block(&mut sum, &mut block);
+        assert_eq!((sum.value(), block), (truth, [0.0; BLOCK]));
+    }
 }

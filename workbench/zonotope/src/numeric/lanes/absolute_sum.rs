@@ -54,3 +54,42 @@ pub(super) fn absolute_sum_at<S: Simd>(simd: S, vectors: &impl Source, direction
     }
     total((sums[0] + sums[1]) + (sums[2] + sums[3]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::lanes::extreme_sum;
+    use std::array;
+
+    /// The direction (2, −3, 5, …) and nineteen generators (i − 9, 4, 4, …): blocks, and some that are left.
+    fn instance<const D: usize>() -> (Vec<[f64; D]>, [f64; D]) {
+        let generators = (0..19).map(|i| array::from_fn(|k| if k == 0 { f64::from(i - 9) } else { 4.0 }));
+        (generators.collect(), array::from_fn(|k| [2.0, -3.0, 5.0, 1.0][k]))
+    }
+
+    /// The sums over i from −9 to 9 of |2 i|, |2 i − 12|, |2 i + 8| and |2 i + 12|.
+    #[test]
+    fn whole_numbers_of_one_to_four_dimensions_by_hand() {
+        fn sum<const D: usize>() -> f64 {
+            let (generators, direction) = instance::<D>();
+            absolute_sum(&generators, &direction)
+        }
+        assert_eq!([sum::<1>(), sum::<2>(), sum::<3>(), sum::<4>()], [180.0, 252.0, 212.0, 252.0]);
+    }
+
+    #[test]
+    fn an_extreme_vertex_reaches_the_support_function() {
+        fn holds<const D: usize>() {
+            let (generators, direction) = instance::<D>();
+            let vertex = extreme_sum(&generators, &direction);
+            assert_eq!(dot(&vertex, &direction), absolute_sum(&generators, &direction));
+        }
+        holds::<1>();
+        holds::<2>();
+        holds::<3>();
+        holds::<4>();
+        // the vertex of the plane: i above 6 has the sign plus, i = 6 is added as it stands
+        let (generators, direction) = instance::<2>();
+        assert_eq!(extreme_sum(&generators, &direction), [60.0, -44.0]);
+    }
+}

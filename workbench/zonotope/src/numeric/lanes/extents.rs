@@ -127,4 +127,23 @@ mod tests {
         let value = absolute_sum(&cancelling, &[2.0, -2.0, 0.0]);
         assert_eq!(Extents::new(&cancelling).error(&[2.0, -2.0, 0.0], value), f64::INFINITY);
     }
+
+    /// Sixteen generators (3, −4) add two to each lane: a term goes through 7 additions.
+    #[test]
+    fn bounds_worked_out_by_hand() {
+        let generators = [[3.0, -4.0]; 16];
+        let extents = Extents::new(&generators);
+        let within = |value: f64, expected: f64, units: f64| {
+            let more = (value / expected - 1.0) / UNIT;
+            (units..units + 8.0).contains(&more)
+        };
+        let ([x, y], [off_x, off_y]) = (extents.sums(), extents.point_error());
+        assert!(within(x, 48.0, 14.0) && within(y, 64.0, 14.0), "{extents:?}");
+        assert!(within(off_x, 7.0 * 48.0 * UNIT, 14.0) && within(off_y, 7.0 * 64.0 * UNIT, 14.0), "{off_x} {off_y}");
+        // 2 · 3 · (0.5 · 48 + 2 · 64) + 7 · 16 · |1.5 − 8|
+        let error = extents.error(&[0.5, -2.0], 104.0) / UNIT;
+        assert!((1640.0..1640.01).contains(&error), "{error}");
+        // four denormal steps for each of 3 generators and 3 dimensions
+        assert_eq!(Extents::new(&[[0.0; 2]; 2]).error(&[0.0; 2], 0.0), f64::from_bits(36));
+    }
 }

@@ -126,4 +126,38 @@ mod tests {
         let found = first_orthogonal(laid_out(&vectors).blocks(), &[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0]);
         assert_eq!(found, [0]);
     }
+
+    #[test]
+    fn a_slope_exceeds_a_bound_as_far_as_the_errors_leave_it_open() {
+        // three errors are open at the bound 2
+        let may_exceed_two = |errors: f64| may_exceed(1.0, 2.0 - errors * ERROR, 2.0);
+        assert_eq!([1.0, 3.0, 3.5].map(may_exceed_two), [true, true, false]);
+        assert!(!may_exceed(1.0, 0.5, 1.0) && may_exceed(1.0, -0.5, -1.0));
+        // of a product that may be zero nothing is known
+        assert!(may_exceed(ERROR, -1.0, 0.0) && !may_exceed(1.5 * ERROR, -1.0, 0.0));
+    }
+
+    /// Eight vectors of the slope 1, and eight of one below it: with both products off by the bound, those are at least
+    /// 1 − 2 errors, and these at most four errors less than 1 and two more.
+    #[test]
+    fn slopes_that_the_errors_may_change_places_of_are_both_told() {
+        let found = |sign: f64, errors: f64| {
+            let vectors: Vec<[f64; 3]> =
+                [1.0, 1.0 - sign * errors * ERROR].iter().flat_map(|gain| [[1.0, sign * gain, 1.5]; 8]).collect();
+            let mut found = first_orthogonal(laid_out(&vectors).blocks(), &[1.0, 0.0, 0.0], &[0.0, -1.0, 0.0]);
+            found.sort_unstable();
+            found
+        };
+        for sign in [1.0, -1.0] {
+            assert!(found(sign, 3.875).into_iter().eq(0..16), "{sign}");
+            assert!(found(sign, 4.125).into_iter().eq(0..8), "{sign}");
+        }
+    }
+
+    #[test]
+    fn vectors_nearly_orthogonal_to_the_normal_are_told_however_low_their_slopes() {
+        let vectors = [[1.0, ERROR * (1.0 + 1e-12), 1.5]; 8];
+        let found = first_orthogonal(laid_out(&vectors).blocks(), &[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0]);
+        assert_eq!(found.len(), 8);
+    }
 }

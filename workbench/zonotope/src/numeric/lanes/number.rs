@@ -117,3 +117,14 @@ impl<S: Simd> Units<f64x8<S>> {
         Self { zero: f64x8::splat(simd, zero), one: f64x8::splat(simd, one), least: f64x8::splat(simd, least) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_less_than_a_limit_or_not() {
+        assert_eq!([0.5, 1.0, 2.0, f64::NAN].map(|x| x.if_less(1.0, 3.0, 4.0)), [3.0, 4.0, 4.0, 4.0]);
+        assert_eq!([0.5, -1.0, 2.0, -3.0].map(|x| clipped(x, 1.0)), [0.5, -1.0, 1.0, -1.0]);
+    }
+}

@@ -158,4 +158,31 @@ mod tests {
         let sum = absolute_sum_in_pairs(Rows::new(&[[f64::MAX; 3]]), &[1.0; 3].map(BoundedDoubleDouble::exact));
         assert!(!sum.is_known());
     }
+
+    /// The magnitudes add up to 21, and the largest coordinate of the direction is 2.
+    #[test]
+    fn bounds_worked_out_by_hand() {
+        let generators = [[1.0, -2.0, 4.0]; 3];
+        let error = |off: f64| {
+            let direction = [1.0, 2.0, -0.5].map(|c| BoundedDoubleDouble::of_parts(c, 0.0, off));
+            absolute_sum_in_pairs(Rows::new(&generators), &direction).parts().1
+        };
+        let of = |expected: f64| expected..1.1 * expected;
+        assert!(of(42.0 * SUM_IN_PAIRS).contains(&error(0.0)), "{}", error(0.0));
+        assert!(of(21.0 * power_of_two(-20)).contains(&error(power_of_two(-20))));
+        let zeros = absolute_sum_in_pairs(Rows::new(&[[0.0; 3]; 3]), &[1.0; 3].map(BoundedDoubleDouble::exact));
+        assert!(of(3.0 * PRODUCT_UNDERFLOW).contains(&zeros.parts().1));
+    }
+
+    /// The product of 1 + 2^-30 with itself, less 1 + 2^-29: all of it is what rounding a product leaves behind.
+    #[test]
+    fn a_product_of_which_the_rounded_terms_cancel_has_its_sign() {
+        let half = 1.0 + power_of_two(-30);
+        for sign in [1.0, -1.0] {
+            let generator = [half, -1.0 - power_of_two(-29), 0.0].map(|c| sign * c);
+            let direction = [half, 1.0, 0.0].map(BoundedDoubleDouble::exact);
+            let (pair, _) = absolute_sum_in_pairs(Rows::new(&[generator]), &direction).parts();
+            assert_eq!((pair.high, pair.low), (power_of_two(-60), 0.0));
+        }
+    }
 }

@@ -73,4 +73,11 @@ mod tests {
         assert_eq!(invert(&mut left, &mut right, size), Some(()));
         assert!(right.iter().enumerate().all(|(k, x)| (x[0] - (k + 1) as f64).abs() < 1e-12));
     }
+
+    #[test]
+    fn pivots_that_are_zero_or_not_finite_end_the_elimination() {
+        for entry in [0.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(invert(&mut [[entry]], &mut [[1.0]], 1), None, "{entry}");
+        }
+    }
 }

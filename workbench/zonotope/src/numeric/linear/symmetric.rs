@@ -84,4 +84,33 @@ mod tests {
             Some([1.0, 2.0, 2.0])
         );
     }
+
+    #[test]
+    fn sums_and_squares_by_hand() {
+        let matrix = SymmetricMatrix([1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        assert_eq!(
+            matrix.plus(&SymmetricMatrix([10.0, 20.0, 30.0, 40.0, 50.0, 60.0])).0,
+            [11.0, 22.0, 33.0, 44.0, 55.0, 66.0]
+        );
+        assert_eq!(matrix.plus_square(2.0, &[3.0, -5.0, 7.0]).0, [19.0, -28.0, 45.0, 54.0, -65.0, 104.0]);
+    }
+
+    /// The diagonal is 1, 1 and c: c is the determinant, which must exceed 3.2e-14, a part of the cube of the trace.
+    /// An equation that may have no solution gets 8e-15 added to the diagonal.
+    #[test]
+    fn a_matrix_is_regular_if_its_determinant_exceeds_a_part_of_the_cube_of_its_trace() {
+        for axis in [0, 3, 5] {
+            let matrix = |c: f64| {
+                let mut entries = [1.0, 0.0, 0.0, 1.0, 0.0, 1.0];
+                entries[axis] = c;
+                SymmetricMatrix(entries)
+            };
+            let is_regular = |c: f64| matrix(c).solve_regular(&[1.0; 3]).is_some();
+            assert_eq!([2.8e-14, 3.6e-14].map(is_regular), [false, true], "{axis}");
+            let is_regular_when_shifted = |c: f64| matrix(c).solve(&[1.0; 3]).1;
+            assert_eq!([2e-14, 2.8e-14].map(is_regular_when_shifted), [false, true], "{axis}");
+        }
+        let zero = SymmetricMatrix([0.0; 6]);
+        assert!(zero.solve_regular(&[1.0; 3]).is_none() && !zero.solve(&[1.0; 3]).1);
+    }
 }

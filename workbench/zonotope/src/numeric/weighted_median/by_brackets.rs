@@ -286,4 +286,75 @@ mod tests {
             assert!(weighted_median(&places, &[weight; 1000], target).is_some());
         }
     }
+
+    #[test]
+    fn zeros_of_both_signs_are_one_place() {
+        let items = [(0.0, 1.0), (-0.0, 1.0), (0.0, 1.0)];
+        assert_eq!([0.5, 1.5, 3.0].map(|target| median(&items, target)), [Some(0), Some(1), Some(2)]);
+    }
+
+    /// Stretches of sixteen items, each of which gives one item to the sample.
+    const STRETCHES: u32 = 255;
+
+    /// The target 15 of the sample is reached after 15 items of the weight 1: two deviations of 3.87 around it.
+    #[test]
+    fn a_bracket_worked_out_by_hand() {
+        let places: Vec<f64> = (0..16 * STRETCHES).map(|index| f64::from(index / 16)).collect();
+        let of = |missing: f64| bracket(&places, &vec![1.0; places.len()], missing);
+        assert_eq!(of(16.0 * 15.0), [6.0, 22.0]);
+        // two deviations of exactly 4: a sum of 8 or 24 is not yet outside
+        assert_eq!(of(16.0 * 16.0), [6.0, 24.0]);
+        // four times the weights make sums and deviations four times as large
+        assert_eq!(bracket(&places, &vec![4.0; places.len()], 64.0 * 15.0), [6.0, 22.0]);
+        assert_eq!([of(16.0)[0], of(16.0 * 254.0)[1]], [f64::NEG_INFINITY, f64::INFINITY]);
+    }
+
+    #[test]
+    fn places_that_repeat_with_the_stretches_are_drawn_all_the_same() {
+        let places: Vec<f64> = (0..16 * STRETCHES).map(|index| f64::from(index % 16)).collect();
+        let [low, high] = bracket(&places, &vec![1.0; places.len()], f64::from(8 * STRETCHES));
+        assert!((4.0..=7.0).contains(&low) && (7.0..12.0).contains(&high), "{low} {high}");
+    }
+
+    #[test]
+    fn nearly_all_are_more_than_seven_eighths() {
+        let places: Vec<f64> = (0..16).map(f64::from).collect();
+        let is_nearly_all = |high: f64| listed(&places, &[1.0; 16], [0.0, high]).1.is_nearly_all;
+        assert_eq!([12.0, 13.0, 14.0].map(is_nearly_all), [false, false, true]);
+    }
+
+    /// Items that are drawn, and those that are not, have all the weight: the bracket is on one side of the median, or
+    /// just beside it.
+    #[test]
+    fn a_sample_that_misleads_leads_to_the_median_all_the_same() {
+        let places: Vec<f64> = (0..600).map(f64::from).collect();
+        let of = |index: usize| {
+            let mut weights = vec![0.0; places.len()];
+            weights[index] = 1.0;
+            weights
+        };
+        // an item that is drawn reaches a target, and leaves all below it open
+        let is_drawn = |index: usize| bracket(&places, &of(index), 1.0)[0] == f64::NEG_INFINITY;
+        let drawn: Vec<bool> = (0..places.len()).map(is_drawn).collect();
+        for value in [true, false] {
+            let weights: Vec<f64> = drawn.iter().map(|own| f64::from(u8::from(*own == value))).collect();
+            for target in 0..=602 {
+                let target = f64::from(target);
+                let truth = brute_force::weighted_median(&places, &weights, target);
+                assert_eq!(weighted_median(&places, &weights, target), truth, "{value} {target}");
+            }
+        }
+        for index in (0..places.len()).step_by(7) {
+            assert_eq!(weighted_median(&places, &of(index), 1.0), Some(index));
+        }
+    }
+
+    #[test]
+    fn beyond_all_weights_the_last_of_the_infinite_places_is_told() {
+        let places: Vec<f64> = (0..1000).map(|k| if k % 5 == 0 { f64::INFINITY } else { f64::from(k) }).collect();
+        for target in [999.0, 1000.0, 1001.0, 1100.0] {
+            let truth = brute_force::weighted_median(&places, &[1.0; 1000], target);
+            assert_eq!(weighted_median(&places, &[1.0; 1000], target), truth, "{target}");
+        }
+    }
 }

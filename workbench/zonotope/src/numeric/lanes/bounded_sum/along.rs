@@ -110,6 +110,7 @@ mod tests {
     use crate::numeric::lanes::level::at_each_level;
     use crate::numeric::lanes::test_vectors::vectors;
     use crate::numeric::lanes::{absolute_sum, extreme_sum};
+    use crate::numeric::scaling::power_of_two;
     use proptest::prelude::*;
 
     properties! {
@@ -150,5 +151,29 @@ mod tests {
             let points = extreme_sums(rows, &[direction, [1.0, 0.0, 0.0]]).map(|p| p.map(f64::to_bits));
             prop_assert_eq!(points[0], extreme_sum(&generators, &direction).map(f64::to_bits));
         }
+    }
+
+    /// The value is 1024 · |1.5 − 1 + 0|, the sum of the magnitudes 1024 · 7: the bound is (74 · 512 + 4 · 7168 · 2) u
+    /// and 7168 times the largest error of a coordinate of the direction.
+    #[test]
+    fn bounds_worked_out_by_hand() {
+        let generators = [[3.0, -4.0, 0.0]; 1024];
+        let along = |error: f64| [0.5, 0.25, 2.0].map(|value| Bounded { value, error: error * value });
+        let [known, near] = bounded_sums(Rows::new(&generators), 7168.0, &[along(0.0), along(power_of_two(-11))]);
+        assert_eq!([known.value, near.value], [512.0; 2]);
+        let of = |expected: f64| expected..expected * (1.0 + power_of_two(-19));
+        assert!(of(95_232.0 * UNIT).contains(&known.error), "{}", known.error);
+        assert!(of(7.0 + 95_232.0 * UNIT).contains(&near.error), "{}", near.error);
+        let [first] = bounded_sums(Rows::new(&generators[..1]), 7.0, &[along(0.0)]);
+        assert!(of((36.0 + 56.0) * UNIT).contains(&first.error), "{}", first.error);
+        let [zero] = bounded_sums(Rows::new(&[[0.0; 3]; 3]), 0.0, &[along(0.0)]);
+        assert_eq!(zero.error, 3.0 * PRODUCT_UNDERFLOW);
+    }
+
+    #[test]
+    fn what_is_orthogonal_to_a_direction_is_added_as_it_stands() {
+        let generators = [[-1.0, -2.0, -0.0], [5.0, 0.0, 0.0]];
+        let points = extreme_sums(Rows::new(&generators), &[[0.0; 3], [0.0, 0.0, 1.0]]);
+        assert_eq!(points, [[4.0, -2.0, 0.0]; 2]);
     }
 }

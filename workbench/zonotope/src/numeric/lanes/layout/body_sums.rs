@@ -113,6 +113,7 @@ pub(crate) fn add_square<T: Number>(sums: &mut [T; 6], [x, y, z]: &[T; 3], v: &[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::lanes::rows::count_of;
 
     #[test]
     fn sums_worked_out_by_hand() {
@@ -134,5 +135,31 @@ mod tests {
             let [own, other] = [squares::<true>(plain), squares::<true>(prepared)];
             assert!(own.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-14 * a.abs()));
         }
+    }
+
+    /// Eight rows (2, −3, 8) fill an octet: with a row (1, 4, 2), both kinds of sums take part.
+    #[test]
+    fn sums_over_a_whole_octet_worked_out_by_hand() {
+        let mut list = vec![[2.0, -3.0, 8.0]; 8];
+        let of = |list: &[[f64; 3]]| {
+            let runs = [Rows::new(list), Rows::NONE];
+            (squares::<false>(runs), squares::<true>(runs), sizes(runs))
+        };
+        let octet = ([32.0, -48.0, 128.0, 72.0, -192.0, 512.0], [4.0, -6.0, 16.0, 9.0, -24.0, 64.0], [8.0, 64.0]);
+        assert_eq!(of(&list), octet);
+        list.push([1.0, 4.0, 2.0]);
+        let all = ([33.0, -44.0, 130.0, 88.0, -184.0, 516.0], [4.25, -5.0, 16.5, 13.0, -22.0, 65.0], [8.0, 68.0]);
+        assert_eq!(of(&list), all);
+    }
+
+    #[test]
+    fn sums_are_known_where_all_runs_were_laid_out() {
+        let list = [[1.0, 2.0, 3.0]; 9];
+        let laid_out = laid_out(&list);
+        let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &laid_out));
+        let count = |runs| known(runs).map(|(_, other)| 1 + usize::from(other.is_some()));
+        assert_eq!([count([prepared, Rows::NONE]), count([prepared; 2])], [Some(1), Some(2)]);
+        assert_eq!([count([plain, Rows::NONE]), count([prepared, plain]), count([plain, prepared])], [None; 3]);
+        assert!(laid_out.sums.magnitude() == 81.0 && count_of([plain, Rows::new(&list[..2])]) == 11);
     }
 }

@@ -183,4 +183,18 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn rows_are_found_in_many_blocks() {
+        let list: Vec<[f64; 3]> = (0..200).map(|i| [0.0, 0.1, 0.2].map(|c| f64::from(i) + c)).collect();
+        let known = laid_out(&list);
+        let some = [199, 0, 8, 9, 77, 9];
+        let expected: Vec<[f64; 3]> = some.iter().map(|&place| list[place as usize]).collect();
+        for rows in [Rows::new(&list), Rows::laid_out(&list, &known)] {
+            assert!((0..list.len()).all(|i| rows.row(i) == list[i]));
+            let mut copied = vec![[7.0; 3]];
+            rows.copy_some(&some, &mut copied);
+            assert_eq!((copied[0], &copied[1..]), ([7.0; 3], &expected[..]));
+        }
+    }
 }
