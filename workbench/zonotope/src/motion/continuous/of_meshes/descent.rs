@@ -22,6 +22,11 @@ const PAIR_LIMIT: usize = 1 << 24;
 /// those that are apart there. Both were found by trial.
 const LONGEST_WAYS: [f64; 2] = [4.0, 2.0];
 
+/// Stretches of nodes are halved at most so many times without a proof of any pair of nodes; until there is one, nodes
+/// are opened instead. Volumes that rounding makes larger than the whole scene, or that are points, never are near
+/// enough to each other for the rule above, however short the stretches are.
+const VAIN_HALVINGS: u32 = 64;
+
 /// A pair of parts and a stretch of time that is not decided yet.
 pub(super) struct Open<'a, V: BoundingVolume> {
     pub(super) parts: [Part; 2],
@@ -53,6 +58,8 @@ pub(super) struct Descent<'a, V: BoundingVolume> {
     pub(super) open: Vec<Open<'a, V>>,
     /// The direction along which nodes were proved apart last: the next pair is near them.
     last: [f64; 3],
+    /// The number of times that a stretch of nodes was halved since nodes were proved apart last.
+    vain: u32,
 }
 
 impl<'a, V: BoundingVolume> Descent<'a, V> {
@@ -66,6 +73,7 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
             free: Vec::new(),
             open: Vec::new(),
             last: [1.0, 0.0, 0.0],
+            vain: 0,
         }
     }
 
@@ -144,7 +152,7 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
         let Some(u) = directions::in_space(&moving, &stretch, slice.times, self.last, tally) else {
             return self.refine(pair, nodes, LONGEST_WAYS[1]);
         };
-        self.last = u;
+        (self.last, self.vain) = (u, 0);
         let [from, until] = slice.times;
         let direction = SeparatingDirection::Space(u);
         self.free.push(FreePair { parts: pair.parts, stretch: FreeStretch { from, until, direction } });
@@ -155,8 +163,13 @@ impl<'a, V: BoundingVolume> Descent<'a, V> {
     fn refine(&mut self, pair: Open<'a, V>, nodes: [usize; 2], far: f64) {
         let sizes = [0, 1].map(|i| self.parts[i].size(nodes[i]));
         let way = self.parts[1].body(nodes[1]).and_then(|body| pair.slice.way_of(&body.center(), sizes[1]));
-        let is_far = pair.slice.width() > SHORT_STRETCH && way.is_some_and(|way| way > far * sizes[0].max(sizes[1]));
-        if is_far { self.cut(&pair, pair.slice.middle(), [None; 2]) } else { self.open_nodes(&pair, nodes) }
+        let may_be_halved = self.vain < VAIN_HALVINGS && pair.slice.width() > SHORT_STRETCH;
+        if may_be_halved && way.is_some_and(|way| way > far * sizes[0].max(sizes[1])) {
+            self.vain += 1;
+            self.cut(&pair, pair.slice.middle(), [None; 2]);
+        } else {
+            self.open_nodes(&pair, nodes);
+        }
     }
 
     /// Takes both parts of a stretch, the first one next, with the directions that separate the pair at the cut or
