@@ -87,3 +87,106 @@ fn separates_exactly(query: &dyn KernelQuery, w: [f64; 3]) -> bool {
     let sum = query.signed_sum(&DirectionSigns::new(query, &direction).all(&direction));
     exact_linear::dot(&exact_linear::difference(&query.exact(), &sum), &direction).sign().is_gt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::linear::cross;
+    use crate::zonotope::query::Query;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    fn pairs(v: [f64; 3]) -> Pairs {
+        v.map(BoundedDoubleDouble::exact)
+    }
+
+    /// The exact gap w · p − h(w).
+    fn gap(query: &dyn KernelQuery, w: [f64; 3]) -> crate::numeric::dyadic::Dyadic {
+        let w = exact(w);
+        let along = exact_linear::dot(&query.exact(), &w);
+        (0..query.len()).fold(along, |gap, i| gap - exact_linear::dot(&query.exact_generator(i), &w).abs())
+    }
+
+    #[test]
+    fn the_neighbours_of_a_direction_are_all_twenty_six() {
+        let u = [1.0, -0.5, 3e-7];
+        let own: Vec<[f64; 3]> = neighbours(u).collect();
+        assert_eq!(own.len(), 26);
+        for (i, w) in own.iter().enumerate() {
+            assert!(*w != u && !own[..i].contains(w), "{w:?}");
+            assert!((0..3).all(|k| [u[k].next_down(), u[k], u[k].next_up()].contains(&w[k])), "{w:?}");
+        }
+    }
+
+    #[test]
+    fn a_direction_is_likely_where_the_rest_exceeds_what_the_facet_reaches() {
+        let of = |rest: [f64; 3]| Beyond {
+            normal: pairs([0.0, 0.0, 1.0]),
+            rest: pairs(rest),
+            spanning: [pairs([1.0, 0.0, 0.0]), pairs([0.0, -2.0, 0.0])],
+        };
+        let w = [0.25, 0.125, 1.0];
+        assert!(of([0.0, 0.0, 0.51]).is_likely(w));
+        assert!(!of([0.0, 0.0, 0.49]).is_likely(w));
+        assert!(!of([0.0, 0.0, 0.3]).is_likely(w) && !of([0.0, 0.0, 0.2]).is_likely(w));
+        assert!(!of([0.0, 0.0, -1.0]).is_likely(w));
+        // an equality leaves a doubt
+        assert!(of([0.0, 0.0, 0.5]).is_likely(w));
+        assert!(of([4.0, 0.0, 0.0]).is_likely(w) && !of([1.0, 1.0, 0.0]).is_likely(w));
+    }
+
+    #[test]
+    fn pairs_and_exact_numbers_tell_alike_whether_a_direction_separates() {
+        let random = &mut Pcg64Mcg::seed_from_u64(111);
+        let mut told = [0, 0];
+        for round in 0..300 {
+            let n = 1 + round % 12;
+            let mut vector = || [0, 1, 2].map(|_| f64::from(random.random_range(-9..10)));
+            let (rows, w, mut p) = ((0..n).map(|_| vector()).collect::<Vec<[f64; 3]>>(), vector(), vector());
+            let reach: f64 = rows.iter().map(|v| dot(v, &w).abs()).sum();
+            // in the plane that supports the body, one above or one below it, where w allows
+            if let Some(k) = (0..3).find(|&k| w[k].abs() == 1.0) {
+                p[k] += w[k] * (reach - dot(&p, &w) + f64::from(round % 3 - 1));
+            }
+            let query = Query::new([0.0; 3], p, &rows).expect("finite");
+            let is_apart = gap(&query, w).sign().is_gt();
+            assert_eq!(separates_exactly(&query, w), is_apart, "{rows:?} {p:?} {w:?}");
+            assert_eq!(separates(&query, w), is_apart, "{rows:?} {p:?} {w:?}");
+            let own = seems_to_separate(&query, w);
+            assert!(own.is_none_or(|own| own == is_apart), "{rows:?} {p:?} {w:?}");
+            assert!(own.is_some() || gap(&query, w).is_zero(), "{rows:?} {p:?} {w:?}");
+            told[usize::from(is_apart)] += 1;
+        }
+        assert!(told.iter().all(|count| *count > 20), "{told:?}");
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let query = Query::new([0.0; 3], [0.0, 0.0, 2.0], &cube).expect("finite");
+        assert!(!separates_exactly(&query, [0.0, 0.0, f64::INFINITY]));
+        assert!(!separates_exactly(&query, [f64::NAN, 0.0, 1.0]));
+    }
+
+    /// Gaps of some units in the last place are beyond what one rounding of the normal leaves, and found among several.
+    #[test]
+    fn directions_of_doubles_are_found_for_most_narrow_gaps() {
+        let random = &mut Pcg64Mcg::seed_from_u64(112);
+        for scale in [1.0, 1e3, 1e-3] {
+            let mut found = 0;
+            for _ in 0..120 {
+                let mut vector = |size: f64| [0, 1, 2].map(|_| size * random.random_range(-1.0..1.0f64));
+                let body = [vector(scale), vector(scale), vector(1.0), vector(1.0)];
+                let spanning = [body[0], body[1]].map(pairs);
+                let normal = cross(&spanning[0], &spanning[1]);
+                let sign = |v: &[f64; 3]| f64::from(dot(&normal, &pairs(*v)).sign().unwrap_or(0));
+                let signs = [sign(&body[2]), sign(&body[3])];
+                let sum = [0, 1, 2].map(|k| signs[0] * body[2][k] + signs[1] * body[3][k]);
+                let p = sum.map(|c| c * (1.0 + 3.0 * scale.max(1.0) * f64::EPSILON));
+                let query = Query::new([0.0; 3], p, &body).expect("finite");
+                let off = |k: usize, i: usize| BoundedDoubleDouble::exact(signs[i] * body[i + 2][k]);
+                let rest = [0, 1, 2].map(|k| BoundedDoubleDouble::exact(p[k]) - off(k, 0) - off(k, 1));
+                let Some(w) = (Beyond { normal, rest, spanning }).direction_of_doubles(&query) else { continue };
+                assert!(gap(&query, w).sign().is_gt(), "{body:?} {p:?}");
+                found += 1;
+            }
+            assert!(found >= 85, "{scale} {found}");
+        }
+    }
+}

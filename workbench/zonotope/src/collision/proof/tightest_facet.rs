@@ -101,3 +101,57 @@ fn smallest_coefficients(point: &[Dyadic], generators: &[Vector]) -> Vec<Rationa
     let span = Span::of(generators.iter().cloned(), point.len());
     TightestFacet::within(&span, point, generators).coefficients(point, generators)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::exact_linear::rational;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    fn vector(v: &[f64]) -> Vector {
+        v.iter().map(|c| Dyadic::from_f64(*c)).collect()
+    }
+
+    #[test]
+    fn the_facet_of_a_box_worked_out_by_hand() {
+        let sides = [vector(&[2.0, 0.0, 0.0]), vector(&[0.0, 4.0, 0.0]), vector(&[0.0, 0.0, -1.0])];
+        for (p, gauge, axis) in [([1.0, 1.0, -0.25], 0.5, 0), ([1.0, -3.0, 0.25], 0.75, 1), ([0.0, 0.0, 2.0], 2.0, 2)] {
+            let facet = TightestFacet::of(&vector(&p), &sides);
+            assert_eq!(facet.along_point.to_rational() / facet.along_zonotope.to_rational(), rational(gauge), "{p:?}");
+            assert!(facet.normal.iter().enumerate().all(|(k, c)| c.is_zero() == (k != axis)), "{p:?}");
+            assert_eq!(sum_of_products(&facet.normal, &vector(&p)), facet.along_point);
+            assert!(facet.along_point.sign().is_gt());
+        }
+        // in no dimension there is nothing to bound
+        let none = TightestFacet::of(&[], &[]);
+        assert!(none.normal.is_empty() && none.along_point.is_zero() && none.along_zonotope == Dyadic::one());
+    }
+
+    /// The coefficients combine to the point, and the largest of them is the gauge that the facet tells.
+    #[test]
+    fn coefficients_are_at_most_the_gauge_and_combine_to_the_point() {
+        let random = &mut Pcg64Mcg::seed_from_u64(161);
+        for round in 0..120 {
+            let n = 3 + round % 5;
+            let mut draw = || [0, 1, 2].map(|_| f64::from(random.random_range(-3..4)));
+            let mut rows: Vec<Vector> = (0..n).map(|_| vector(&draw())).collect();
+            rows.extend([vector(&[1.0, 0.0, 0.0]), vector(&[0.0, 2.0, 0.0]), vector(&[0.0, 0.0, 1.0])]);
+            let p = vector(&draw());
+            if p.iter().all(Dyadic::is_zero) {
+                continue;
+            }
+            let facet = TightestFacet::of(&p, &rows);
+            let gauge = facet.along_point.to_rational() / facet.along_zonotope.to_rational();
+            for own in [facet.coefficients(&p, &rows), smallest_coefficients(&p, &rows)] {
+                assert_eq!(own.len(), rows.len());
+                let largest = own.iter().map(|c| if *c < Rational::ZERO { -c } else { c.clone() }).max();
+                assert_eq!(largest, Some(gauge.clone()), "{rows:?} {p:?}");
+                for k in 0..3 {
+                    let sum = rows.iter().zip(&own).fold(Rational::ZERO, |sum, (v, c)| sum + c * v[k].to_rational());
+                    assert_eq!(sum, p[k].to_rational(), "{rows:?} {p:?}");
+                }
+            }
+        }
+    }
+}

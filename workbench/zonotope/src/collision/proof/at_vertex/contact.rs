@@ -158,6 +158,8 @@ mod tests {
     use crate::collision::brute_force;
     use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
     use crate::interop::verifier::check_location;
+    use crate::numeric::bounded;
+    use crate::zonotope::location::Status;
     use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -249,5 +251,137 @@ mod tests {
             found += u32::from(answer == Some("boundary"));
         }
         assert!(found > 120, "{found}");
+    }
+
+    /// A body whose coordinates have thirty digits: products of three of them are rounded in doubles, sums are not.
+    fn long_lattice(random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+        let mut vector = || [0, 1, 2].map(|_| f64::from(random.random_range(-(1 << 30)..1 << 30)));
+        let (a, b, c, d) = (vector(), vector(), vector(), vector());
+        let of = |s: f64, t: f64| [0, 1, 2].map(|k| s * a[k] + t * b[k]);
+        vec![a, b, c, d, of(1.0, 1.0), of(2.0, -1.0), of(-3.0, 2.0), of(1.0, 3.0)]
+    }
+
+    /// The signs of generators along the normal of the first two, exactly.
+    fn exact_signs(body: &[[f64; 3]]) -> Vec<f64> {
+        let normal = exact_linear::cross(&exact_linear::exact(body[0]), &exact_linear::exact(body[1]));
+        let sign = |v: &[f64; 3]| exact_linear::dot(&exact_linear::exact(*v), &normal).sign() as i8;
+        body.iter().map(|v| f64::from(sign(v))).collect()
+    }
+
+    fn combined(body: &[[f64; 3]], coefficients: &[f64]) -> [f64; 3] {
+        body.iter().zip(coefficients).fold([0.0; 3], |sum, (v, c)| minus(sum, -c, v))
+    }
+
+    #[test]
+    fn generators_of_a_facet_are_told_from_their_exact_products() {
+        let random = &mut Pcg64Mcg::seed_from_u64(41);
+        for round in 0..120 {
+            let body = long_lattice(random);
+            let mut shares = exact_signs(&body);
+            for share in shares.iter_mut().filter(|share| **share == 0.0) {
+                *share = f64::from(random.random_range(-3..4)) / 4.0;
+            }
+            let p = combined(&body, &shares);
+            let (pair, p) = [([0, 1], p), ([1, 0], p), ([0, 1], p.map(|c| -c)), ([4, 7], p)][round % 4];
+            assert_eq!(proved(&body, p, pair), Some("boundary"), "{body:?} {shares:?}");
+        }
+    }
+
+    /// A generator that is off the plane of the facet by less than doubles tell has the sign of its exact product.
+    #[test]
+    fn generators_that_doubles_cannot_place_have_their_exact_signs() {
+        let random = &mut Pcg64Mcg::seed_from_u64(42);
+        let mut doubtful = 0;
+        for round in 0..200 {
+            let mut whole = |most: f64| [0, 1, 2].map(|_| 4.0 * (most * random.random_range(-1.0..1.0f64)).round());
+            let (a, small) = (whole(2f64.powi(48)), whole(2f64.powi(28)));
+            let b = [0, 1, 2].map(|k| a[k] + small[k]);
+            let of = |s: f64, t: f64| [0, 1, 2].map(|k| s * a[k] + t * b[k]);
+            let mut body = vec![a, b, whole(2f64.powi(48)), whole(2f64.powi(48)), of(1.0, 1.0), of(2.0, -1.0)];
+            for v in &mut body[4..] {
+                v[round % 3] += f64::from(random.random_range(0..2) * 2 - 1);
+            }
+            let mut shares = exact_signs(&body);
+            let u = cross(&body[0], &body[1]);
+            doubtful += body[4..].iter().zip(&shares[4..]).filter(|(v, share)| dot(v, &u).signum() != **share).count();
+            (shares[0], shares[1]) = (0.25, -0.5);
+            let p = combined(&body, &shares);
+            let (pair, p) = [([0, 1], p), ([1, 0], p), ([0, 1], p.map(|c| -c))][round % 3];
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            let vectors = Vectors::of(&query).expect("it has no matrix");
+            let product = cross(&body[pair[0]], &body[pair[1]]);
+            for is_reversed in [false, true] {
+                let u = if is_reversed { product.map(|c| -c) } else { product };
+                let exact = bounded::exact(p);
+                let sizes = body.iter().fold([0.0; 3], |sum: [f64; 3], v| [0, 1, 2].map(|k| sum[k] + v[k].abs()));
+                let errors = SumErrors { p: &exact, sizes: sizes.map(|c| 2.0 * c), count: body.len() };
+                let mut signs = vec![1.0; body.len()];
+                let proof = touching(&query, &vectors, pair, &u, is_reversed, &mut signs, &errors);
+                if dot(&u, &p) < 0.0 {
+                    // the other side of the body
+                    assert!(proof.is_none(), "{body:?}");
+                    continue;
+                }
+                let proof = proof.expect("the point is on the facet");
+                assert_eq!(proof.location.status(), Status::Boundary);
+                assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?}");
+            }
+        }
+        assert!(doubtful > 20, "{doubtful}");
+    }
+
+    /// Shares of thirds are no doubles: on an edge, the generator of the edge is one of the two that are solved for.
+    #[test]
+    fn points_of_edges_are_proved_whatever_generator_the_edge_has() {
+        let plane = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [3.0, 3.0, 0.0], [6.0, -3.0, 0.0], [3.0, 6.0, 0.0]];
+        let body = [&plane[..], &[[1.0, 1.0, 7.0], [0.0, 2.0, 5.0]]].concat();
+        let mut count = 0;
+        for edge in 0..5 {
+            let normal = [-plane[edge][1], plane[edge][0]];
+            for side in [1.0, -1.0] {
+                let mut shares = [1.0; 7];
+                for (share, v) in shares.iter_mut().zip(&plane) {
+                    *share = side * f64::copysign(1.0, v[0] * normal[0] + v[1] * normal[1]);
+                }
+                shares[edge] = 0.0;
+                let start = combined(&body, &shares);
+                for part in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+                    let p = minus(start, -part / 3.0, &plane[edge]);
+                    for pair in (0..5).flat_map(|i| (0..i).flat_map(move |j| [[i, j], [j, i]])) {
+                        assert_eq!(proved(&body, p, pair), Some("boundary"), "{edge} {side} {part} {pair:?}");
+                        count += 1;
+                    }
+                    let beyond = [0, 1].map(|k| p[k] + side * normal[k] / 64.0);
+                    assert_ne!(proved(&body, [beyond[0], beyond[1], p[2]], [0, 1]), Some("boundary"), "{edge} {side}");
+                }
+            }
+        }
+        assert_eq!(count, 1000);
+    }
+
+    #[test]
+    fn points_of_a_facets_plane_beside_it_are_not_proved() {
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for p in [[1.5, 0.0, 1.0], [0.0, -1.5, 1.0], [1.0f64.next_up(), 1.0, 1.0], [-2.0, 2.0, 1.0]] {
+            assert_eq!(proved(&cube, p, [0, 1]), None, "{p:?}");
+        }
+        assert_eq!(proved(&cube, [1.0, -1.0, 1.0], [0, 1]), Some("boundary"));
+    }
+
+    /// In the middle of a facet doubles know the two coefficients.
+    #[test]
+    fn coefficients_away_from_their_ends_are_known_in_doubles() {
+        let body = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.25, 0.5, 1.0], [1.0, 1.0, 0.0]];
+        let p = [0.5 + 0.25 + 0.5, -0.5 + 0.5 + 0.5, 1.0];
+        let query = Query::new([0.0; 3], p, &body).expect("finite");
+        let vectors = Vectors::of(&query).expect("it has no matrix");
+        let signs = [1.0, 1.0, 1.0, 0.5];
+        let others = [3usize].into_iter();
+        let touched = Touched { query: &query, vectors: &vectors, pair: [0, 1], third: 2, others, signs: &signs };
+        let sum = minus(p, 1.0, &body[2]);
+        let errors = [1e-12; 3];
+        let own = touched.coefficients(&sum, &errors).expect("both are far from their ends");
+        assert!((own[0] - 0.5).abs() < 1e-9 && (own[1] + 0.25).abs() < 1e-9, "{own:?}");
+        assert_eq!(touched.coefficients(&sum, &[1.0; 3]), None);
     }
 }

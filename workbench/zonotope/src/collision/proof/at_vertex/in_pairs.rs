@@ -151,6 +151,7 @@ mod tests {
     use super::*;
     use crate::collision::brute_force;
     use crate::interop::verifier::check_location;
+    use crate::zonotope::location::Status;
     use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -195,5 +196,121 @@ mod tests {
             assert_eq!(location.is_member(), factor < 1.0);
         });
         checked.count() > 0
+    }
+
+    /// The answer in pairs from a facet and shares, checked exactly.
+    fn answer(body: &[[f64; 3]], p: [f64; 3], pair: [usize; 2], is_reversed: bool, shares: &[f64]) -> Option<Proof> {
+        let query = Query::new([0.0; 3], p, body).expect("finite");
+        let vectors = Vectors::of(&query).expect("it has no matrix");
+        let product = cross(&body[pair[0]], &body[pair[1]]);
+        let u = if is_reversed { product.map(|c| -c) } else { product };
+        let proof = location_in_pairs(&query, &vectors, pair, &u, is_reversed, shares)?;
+        assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?} {shares:?}");
+        Some(proof)
+    }
+
+    fn status(body: &[[f64; 3]], p: [f64; 3], pair: [usize; 2], is_reversed: bool, shares: &[f64]) -> Option<Status> {
+        answer(body, p, pair, is_reversed, shares).map(|proof| proof.location.status())
+    }
+
+    #[test]
+    fn the_top_of_a_box_worked_out_by_hand() {
+        for scale in [1.0, 1e-6, 1e6] {
+            let body =
+                [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0], [0.25, 0.5, 0.5]].map(|v| v.map(|c| scale * c));
+            // wrong shares of −1 become the signs that they should be
+            for shares in [[1.0; 4], [1.0, 1.0, 1.0, -1.0], [1.0, 1.0, -1.0, 1.0], [-1.0; 4]] {
+                let at = |z: f64| [0.45 * scale, -0.5 * scale, z * scale];
+                for (pair, is_reversed) in [([0, 1], false), ([1, 0], true)] {
+                    let own = |z: f64| status(&body, at(z), pair, is_reversed, &shares);
+                    for z in [0.75, 1.4, 1.5 - 1e-9, 1.5 - 1e-14] {
+                        assert_eq!(own(z), Some(Status::Inside), "{scale} {z}");
+                    }
+                    for z in [1.5 + 1e-14, 1.5 + 1e-9, 2.0] {
+                        assert_eq!(own(z), Some(Status::Outside), "{scale} {z}");
+                    }
+                    if scale == 1.0 {
+                        assert_eq!(own(1.5), None);
+                    }
+                }
+                let below = status(&body, at(-1.25), [0, 1], true, &shares.map(|share| -share));
+                assert_eq!(below, Some(Status::Inside), "{scale}");
+            }
+        }
+    }
+
+    #[test]
+    fn coefficients_of_the_basis_are_near_those_that_they_imply() {
+        let body = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 4.0]];
+        let proof = answer(&body, [0.25, 0.5, 3.0], [0, 1], false, &[1.0; 3]).expect("below the top");
+        let Location::Inside(witness) = proof.location else { unreachable!("the point is inside") };
+        assert_eq!((witness.basis, witness.coefficients), (vec![0, 1, 2], vec![0.25, 0.25, 0.75]));
+    }
+
+    /// A share between −1 and 1 of a generator off the plane says little of the support value: twice the product is in
+    /// doubt.
+    #[test]
+    fn shares_off_the_plane_leave_a_doubt() {
+        let body = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(status(&body, [0.0, 0.0, 0.25], [0, 1], false, &[1.0, 1.0, 0.5]), Some(Status::Inside));
+        for z in [0.75, 0.99, 1.2] {
+            // the share gives the half of the height, which proves nothing
+            assert_eq!(status(&body, [0.0, 0.0, z], [0, 1], false, &[1.0, 1.0, 0.5]), None, "{z}");
+        }
+        assert_eq!(status(&body, [0.0, 0.0, 2.75], [0, 1], false, &[1.0, 1.0, 0.5]), Some(Status::Outside));
+    }
+
+    /// A generator that doubles place on the wrong side of the facet's plane, and a point that is inside because of it.
+    #[test]
+    fn signs_that_rounding_turns_around_are_set_right() {
+        let random = &mut Pcg64Mcg::seed_from_u64(8);
+        let (mut turned, mut proved) = (0, 0);
+        for _ in 0..4000 {
+            let mut whole = |most: f64| [0, 1, 2].map(|_| 4.0 * (most * random.random_range(-1.0..1.0f64)).round());
+            let (a, small, c) = (whole(2f64.powi(46)), whole(2f64.powi(26)), whole(2f64.powi(49)));
+            let b = [0, 1, 2].map(|k| a[k] + small[k]);
+            let mut near = [0, 1, 2].map(|k| a[k] + b[k]);
+            near[random.random_range(0..3)] += 1.0;
+            let product = cross(&a, &b);
+            let is_reversed = dot(&product, &c) < 0.0;
+            let u = if is_reversed { product.map(|c| -c) } else { product };
+            let pairs = [a, b, near].map(|v| v.map(BoundedDoubleDouble::exact));
+            let normal = cross(&pairs[0], &pairs[1]).map(|c| if is_reversed { c.negated() } else { c });
+            let along = dot(&near, &u);
+            if dot(&normal, &pairs[2]).sign().is_none_or(|sign| f64::from(sign) == along.signum()) {
+                continue;
+            }
+            turned += 1;
+            let own = status(&[a, b, near, c], c, [0, 1], is_reversed, &[1.0, 1.0, along.signum(), 1.0]);
+            assert_ne!(own, Some(Status::Outside), "{a:?} {b:?} {near:?} {c:?}");
+            // beside the generator that is near the plane
+            let p = [0, 1, 2].map(|k| c[k] + 0.5 * (a[k] - b[k]));
+            let own = status(&[a, b, near, c], p, [0, 1], is_reversed, &[1.0, 1.0, along.signum(), 1.0]);
+            assert_ne!(own, Some(Status::Outside), "{a:?} {b:?} {near:?} {c:?}");
+            proved += u32::from(own.is_some());
+            if turned > 40 {
+                break;
+            }
+        }
+        assert!(turned > 10, "{turned} {proved}");
+    }
+
+    /// Doubles near a slanted normal separate where the gap is wide enough, whatever the order of the axes.
+    #[test]
+    fn directions_beyond_a_slanted_facet_are_doubles() {
+        for turn in 0..3 {
+            let turned = |v: [f64; 3]| [0, 1, 2].map(|k| v[(k + turn) % 3]);
+            let body = [[1.0, -0.7, 0.1], [0.2, 0.9, -1.0], [0.5, 0.6, 0.7], [3.0, -1.9, 0.2]].map(turned);
+            let u = cross(&body[0], &body[1]);
+            let shares = body.map(|v| f64::copysign(1.0, dot(&v, &u)));
+            for is_reversed in [false, true] {
+                let side = if is_reversed { -1.0 } else { 1.0 };
+                let own = shares.map(|share| side * share);
+                let top = [0, 1, 2].map(|k| (2..4).map(|i| own[i] * body[i][k]).sum::<f64>());
+                let p = top.map(|c| c * (1.0 + 1e-11));
+                let proof = answer(&body, p, [0, 1], is_reversed, &own).expect("beyond the facet");
+                assert_eq!(proof.rung, crate::tally::Rung::DirectionOfDoubles, "{turn} {is_reversed}");
+            }
+        }
     }
 }

@@ -114,3 +114,100 @@ fn most_independent(query: &dyn KernelQuery, basis: &Basis) -> Vec<usize> {
     }
     best.into_iter().map(|(_, index)| index).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::exact_linear::{multiple, sum};
+    use crate::zonotope::query::Query;
+
+    /// Two vectors of a plane, and the normal of it.
+    const FIRST: [f64; 3] = [1.0, 2.0, 2.0];
+    const SECOND: [f64; 3] = [2.0, 1.0, -2.0];
+    const NORMAL: [f64; 3] = [-2.0, 2.0, -1.0];
+
+    fn of(parts: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| parts[0] * FIRST[k] + parts[1] * SECOND[k] + parts[2] * NORMAL[k])
+    }
+
+    fn basis(members: &[[f64; 3]]) -> Basis {
+        Basis::new(members.iter().map(|v| exact(*v)).enumerate().collect())
+    }
+
+    #[test]
+    fn numerators_over_the_determinant_are_the_coefficients() {
+        for members in [[FIRST, SECOND, NORMAL], [SECOND, FIRST, NORMAL], [NORMAL, FIRST, SECOND]] {
+            for rank in 0..=3 {
+                let basis = basis(&members[..rank]);
+                assert!(basis.determinant().sign().is_gt());
+                let parts = [0.5, -0.75, 2.0];
+                let zero = exact([0.0; 3]);
+                let x =
+                    (0..rank).fold(zero, |x, i| sum(&x, &multiple(&Dyadic::from_f64(parts[i]), &exact(members[i]))));
+                let numerators = basis.numerators(&x);
+                assert_eq!((basis.rank(), numerators.len()), (rank, rank));
+                for (numerator, part) in numerators.iter().zip(parts) {
+                    assert_eq!(*numerator, &Dyadic::from_f64(part) * basis.determinant(), "{members:?} {rank}");
+                }
+                assert!(!basis.misses(&x));
+                for v in &members[rank..] {
+                    assert!(basis.misses(&sum(&x, &exact(*v))), "{members:?} {rank}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn normals_of_the_span_are_orthogonal_to_its_members() {
+        for single in [[1.0, 0.0, 0.0], [0.0, -3.0, 0.0], [0.0, 0.0, 2.0], FIRST] {
+            let normals = basis(&[single]).rounded_normals();
+            assert_eq!(normals.len(), 2);
+            for n in &normals {
+                let along = (0..3).map(|k| n[k] * single[k]).sum::<f64>();
+                assert!(along.abs() < 1e-12 && n.iter().any(|c| c.abs() >= 1.0), "{n:?} {single:?}");
+            }
+        }
+        let normals = basis(&[FIRST, SECOND]).rounded_normals();
+        let [n] = normals[..] else { unreachable!("one normal for a plane") };
+        assert!((n[0] / n[2] - 2.0).abs() < 1e-12 && (n[1] / n[2] + 2.0).abs() < 1e-12, "{n:?}");
+    }
+
+    #[test]
+    fn generators_far_from_the_span_are_proposed_farthest_first() {
+        let heights = [0.0, 0.25, -1.0, 0.5, 3.0, -2.0, 0.0, 0.125];
+        for shift in 0..8 {
+            let height = |i: usize| heights[(i + shift) % 8];
+            let rows: Vec<[f64; 3]> = (0..8).map(|i| of([3.0 - i as f64, 0.5 * i as f64, height(i)])).collect();
+            let query = Query::new([0.0; 3], [0.0; 3], &rows).expect("finite");
+            let own = most_independent(&query, &basis(&[FIRST, SECOND]));
+            let farthest: Vec<f64> = own.into_iter().map(height).collect();
+            assert_eq!(farthest, [3.0, -2.0, -1.0], "{shift}");
+            // at most as many as there are
+            let query = Query::new([0.0; 3], [0.0; 3], &rows[..2]).expect("finite");
+            let own = most_independent(&query, &basis(&[FIRST, SECOND]));
+            assert_eq!(own.len(), (0..2).filter(|&i| height(i) != 0.0).count(), "{shift}");
+        }
+        // of a line, the sum over both normals counts
+        let rows = [FIRST, of([0.0, 0.25, 0.25]), of([9.0, 0.0, 0.0]), of([0.0, 2.0, 2.0])];
+        let query = Query::new([0.0; 3], [0.0; 3], &rows).expect("finite");
+        assert_eq!(most_independent(&query, &basis(&[FIRST])), [3, 1]);
+    }
+
+    #[test]
+    fn a_basis_is_extended_until_it_spans_all_and_others_are_named() {
+        let rows = [FIRST, of([2.0, 0.0, 0.0]), SECOND, of([0.0, 1.0, 0.5]), of([1.0, 0.0, 1.0])];
+        let query = Query::new([0.0; 3], [0.0; 3], &rows).expect("finite");
+        let start = Basis::new(vec![(0, exact(FIRST)), (2, exact(SECOND))]);
+        let (own, others) = Basis::spanning(&query, start);
+        assert_eq!((own.generators, others), (vec![0, 2, 4], vec![3]));
+        let (own, _) = Basis::spanning(&query, Basis::new(vec![]));
+        assert_eq!(own.rank(), 3);
+        let flat = Query::new([0.0; 3], [0.0; 3], &rows[..3]).expect("finite");
+        let (own, others) = Basis::spanning(&flat, Basis::new(vec![]));
+        assert_eq!((own.rank(), others.len()), (2, 0));
+        // products with the normals overflow in doubles, and the exact search finds what they cannot propose
+        let huge = [[1e308, 0.0, 0.0], [0.0, 1e308, 0.0], [1e308, 1e308, 1e308]];
+        let query = Query::new([0.0; 3], [0.0; 3], &huge).expect("finite");
+        assert_eq!(Basis::spanning(&query, Basis::new(vec![])).0.generators, [0, 1, 2]);
+    }
+}

@@ -246,4 +246,151 @@ mod tests {
         let none = Witness { coefficients: vec![0.3], basis: vec![7] };
         assert_eq!(none.clone().with_nearest_basis(&query), none);
     }
+
+    /// Witnesses with rows that are well conditioned or not, whose coefficients are off by much or little.
+    fn asked(random: &mut Pcg64Mcg, round: usize) -> (Vec<[f64; 3]>, [f64; 3], Vec<f64>) {
+        let mut vector = || [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+        let scale = [1.0, 1e-6, 1e6][round % 3];
+        let thin = [1.0, 1e-3, 1e-6][round / 3 % 3];
+        let (a, b, c) = (vector(), vector(), vector());
+        let third = [0, 1, 2].map(|k| a[k] - b[k] + thin * c[k]);
+        let mut rows = vec![a, b, third];
+        rows.extend((0..round % 4).map(|_| vector()));
+        let rows: Vec<[f64; 3]> = rows.into_iter().map(|v| v.map(|c| scale * c)).collect();
+        let size = [1.0, 1e-4][round / 9 % 2];
+        let mut coefficients: Vec<f64> = rows.iter().map(|_| random.random_range(-1.0..1.0f64)).collect();
+        coefficients[1] *= size;
+        coefficients[2] *= size;
+        let p = rows.iter().zip(&coefficients).fold([0.0; 3], |sum, (v, c)| [0, 1, 2].map(|k| sum[k] + c * v[k]));
+        let off = 10f64.powi(-random.random_range(1..17));
+        for c in &mut coefficients[..if round.is_multiple_of(5) { 3 } else { 1 }] {
+            *c += off * random.random_range(-1.0..1.0f64);
+        }
+        (rows, p, coefficients)
+    }
+
+    #[test]
+    fn values_that_doubles_give_are_the_nearest_or_beside_them_however_far_the_start_is_off() {
+        let random = &mut Pcg64Mcg::seed_from_u64(101);
+        let mut known = 0;
+        for round in 0..900 {
+            let (rows, p, coefficients) = asked(random, round);
+            let query = Query::new([0.0; 3], p, &rows).expect("finite");
+            let witness = Witness { coefficients, basis: vec![0, 1, 2] };
+            if let Some(own) = in_doubles(&query, &witness) {
+                let exact = exact_basis(&query, &witness).expect("the rows are independent");
+                if exact.iter().all(|value| *value >= Rational::NEG_ONE && *value <= Rational::ONE) {
+                    for (own, exact) in own.iter().zip(exact.iter().map(|value| value.to_f64().value())) {
+                        assert!(
+                            (exact.next_down()..=exact.next_up()).contains(own),
+                            "{own} {exact} {rows:?} {witness:?}"
+                        );
+                    }
+                    known += 1;
+                }
+            }
+        }
+        assert!(known > 200, "{known}");
+    }
+
+    #[test]
+    fn doubles_know_coefficients_that_are_off_by_some_roundings() {
+        let random = &mut Pcg64Mcg::seed_from_u64(102);
+        for round in 0..200 {
+            let scale = [1.0, 1e-9, 1e9][round % 3];
+            let rows: Vec<[f64; 3]> = (0..5)
+                .map(|i| {
+                    [0, 1, 2]
+                        .map(|k| scale * (0.2 * random.random_range(-1.0..1.0f64) + if i == k { 1.0 } else { 0.0 }))
+                })
+                .collect();
+            let mut coefficients: Vec<f64> = (0..5).map(|_| random.random_range(0.5..0.99f64)).collect();
+            let p = rows.iter().zip(&coefficients).fold([0.0; 3], |sum, (v, c)| [0, 1, 2].map(|k| sum[k] + c * v[k]));
+            for (c, sign) in coefficients.iter_mut().zip([1.0, -1.0, 1.0]) {
+                *c += sign * [5.0, 40.0][round % 2] * UNIT;
+            }
+            let query = Query::new([0.0; 3], p, &rows).expect("finite");
+            let witness = Witness { coefficients, basis: vec![0, 1, 2] };
+            assert!(compared(&query, &witness), "{rows:?} {witness:?}");
+            // in the plane, of the same rows without their last coordinates
+            let rows: Vec<[f64; 2]> = rows.iter().take(2).map(|v| [v[0], v[1]]).collect();
+            let coefficients = witness.coefficients[..2].to_vec();
+            let p = [0, 1].map(|k| 0.75 * rows[0][k] - 0.6 * rows[1][k]);
+            let query = Query::new([0.0; 2], p, &rows).expect("finite");
+            let start = Witness { coefficients: vec![0.75, -0.6], basis: vec![0, 1] };
+            let own = in_doubles(&query, &start).expect("both are known");
+            assert!((own[0] - 0.75).abs() < 1e-15 && (own[1] + 0.6).abs() < 1e-15, "{own:?} {coefficients:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_in_doubles_of_fewer_or_dependent_generators() {
+        let random = &mut Pcg64Mcg::seed_from_u64(103);
+        for _ in 0..100 {
+            let [a, b] = [0, 1].map(|_| [0, 1, 2].map(|_| f64::from(random.random_range(-(1 << 30)..1 << 30))));
+            let rows = [a, b, [0, 1, 2].map(|k| a[k] + b[k]), [1.0, 2.0, 4.0]];
+            let p = [0, 1, 2].map(|k| 0.5 * a[k] + 0.25 * b[k]);
+            let query = Query::new([0.0; 3], p, &rows).expect("finite");
+            let witness = |basis: &[usize]| Witness { coefficients: vec![0.5, 0.25, 0.0, 0.0], basis: basis.to_vec() };
+            assert_eq!(in_doubles(&query, &witness(&[0, 1, 2])), None);
+            assert_eq!(nearest(&query, &witness(&[0, 1, 2])), None);
+            // nothing is left and nothing lost, and still they are dependent
+            let none = Query::new([0.0; 3], [0.0; 3], &rows).expect("finite");
+            let zero = Witness { coefficients: vec![0.0; 4], basis: vec![0, 1, 2] };
+            assert_eq!(in_doubles(&none, &zero), None, "{rows:?}");
+            assert_eq!(in_doubles(&query, &witness(&[0, 1])), None);
+            assert_eq!(nearest(&query, &witness(&[0, 1])), Some(vec![0.5, 0.25]));
+            // nothing solves the equation
+            let beside = Query::new([0.0; 3], [p[0], p[1], p[2] + 1.0], &rows).expect("finite");
+            assert_eq!(nearest(&beside, &witness(&[0, 1])), None);
+        }
+    }
+
+    #[test]
+    fn coefficients_of_two_bodies_are_solved_for_with_the_generators_of_both() {
+        let turned =
+            Pose::new([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [1.0, 0.5, -0.25]).expect("finite");
+        let first = Zonotope::new([0.0; 3], vec![[1.0, 0.5, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 0.25]]).expect("finite");
+        let second = Zonotope::new([0.25, 0.5, 0.75], vec![[0.0, 0.25, 1.0], [1.0, 0.0, 1.0]]).expect("finite");
+        let query = Query::of_placed(first.at(&Pose::IDENTITY), second.at(&turned));
+        for basis in [vec![0, 1, 3], vec![1, 3, 4], vec![2, 4], vec![4], vec![0, 2, 4]] {
+            let coefficients = [0.5, -0.25, 0.125, 0.75, -0.5];
+            let witness = Witness { coefficients: coefficients.to_vec(), basis: basis.clone() };
+            let Some(own) = exact_basis(&query, &witness) else { continue };
+            // Σ c v over all generators is the displacement
+            let mut all = coefficients.map(exact_linear::rational);
+            for (&b, value) in basis.iter().zip(own) {
+                all[b] = value;
+            }
+            let p = query.exact();
+            for (k, own) in p.iter().enumerate() {
+                let sum = (0..5).fold(Rational::ZERO, |sum, i| {
+                    let (body, v) = query.located(i);
+                    sum + &all[i] * body.exact_image(v.map(Dyadic::from_f64))[k].to_rational()
+                });
+                assert_eq!(sum, own.to_rational(), "{basis:?}");
+            }
+            let pairs = rest(&query, &coefficients);
+            for (k, (own, left)) in p.iter().zip(pairs).enumerate() {
+                let sum = (0..5).fold(own.clone(), |sum, i| {
+                    let (body, v) = query.located(i);
+                    sum - Dyadic::from_f64(coefficients[i]) * body.exact_image(v.map(Dyadic::from_f64))[k].clone()
+                });
+                let rounded = left.rounded();
+                assert!((sum - Dyadic::from_f64(rounded.value)).abs() <= Dyadic::from_f64(rounded.error + 1e-30));
+            }
+        }
+        let spanning = Witness { coefficients: vec![0.5, 0.0, 0.0, 0.25, 0.0], basis: vec![1, 2, 4] };
+        assert!(exact_basis(&query, &spanning).is_some());
+    }
+
+    #[test]
+    fn what_names_no_generators_stays_as_it_is() {
+        let rows = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 3.0]];
+        let query = Query::new([0.0; 3], [1.0; 3], &rows).expect("finite");
+        for (count, basis) in [(3, vec![0, 3]), (2, vec![0]), (4, vec![1]), (3, vec![]), (2, vec![7]), (0, vec![])] {
+            let witness = Witness { coefficients: vec![0.25; count], basis };
+            assert_eq!(witness.clone().with_nearest_basis(&query), witness);
+        }
+    }
 }

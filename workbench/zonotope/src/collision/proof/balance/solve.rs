@@ -94,3 +94,103 @@ fn roomy_basis<const D: usize>(query: &Query<'_, D>, coefficients: &[f64]) -> Ve
     basis.sort_unstable();
     basis
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    const CUBE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+    fn exact(v: [f64; 3]) -> [Dyadic; 3] {
+        v.map(Dyadic::from_f64)
+    }
+
+    fn query(rows: &[[f64; 3]]) -> Query<'_, 3> {
+        Query::new([0.0; 3], [0.0; 3], rows).expect("finite")
+    }
+
+    #[test]
+    fn what_is_left_is_the_displacement_less_all_terms_off_the_basis() {
+        let random = &mut Pcg64Mcg::seed_from_u64(91);
+        for round in 0..100 {
+            let n = 1 + round % 9;
+            let mut vector = || [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+            let (rows, p): (Vec<[f64; 3]>, _) = ((0..n).map(|_| vector()).collect(), vector());
+            let coefficients: Vec<f64> = (0..n).map(|i| [1.0, 0.0, -1.0, 0.3, -0.7, 1e-20][(i + round) % 6]).collect();
+            let basis: Vec<usize> = (0..n).filter(|i| (i + round) % 4 == 0).collect();
+            let own = left_over(&query(&rows), &exact(p), &coefficients, &basis);
+            for k in 0..3 {
+                let terms = (0..n).filter(|i| !basis.contains(i)).fold(Dyadic::zero(), |sum, i| {
+                    sum + Dyadic::from_f64(coefficients[i]) * Dyadic::from_f64(rows[i][k])
+                });
+                assert_eq!(own[k], Dyadic::from_f64(p[k]) - terms, "{rows:?} {coefficients:?} {basis:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn coefficients_of_a_basis_solve_the_equation_or_there_are_none() {
+        let rows = [[2.0, 0.0, 0.0], [1.0, 4.0, 0.0], [0.0, 0.0, 8.0], [4.0, 0.0, 0.0]];
+        let own = solve(&query(&rows), &[0, 1, 2], &exact([3.0, 2.0, -1.0])).expect("the three are independent");
+        assert_eq!(own.iter().map(|value| value.to_f64().value()).collect::<Vec<_>>(), [1.25, 0.5, -0.125]);
+        assert_eq!(solve(&query(&rows), &[0, 3], &exact([1.0, 0.0, 0.0])), None);
+        assert_eq!(solve(&query(&rows), &[0, 1], &exact([1.0, 0.0, 1.0])), None);
+    }
+
+    #[test]
+    fn a_witness_is_strictly_inside_where_all_of_a_basis_of_space_are() {
+        let at = |rows: &[[f64; 3]], p: [f64; 3], near: &[f64]| near_witness(&query(rows), &exact(p), near.to_vec());
+        let near = [0.5, 0.25, 0.75];
+        for (z, told) in [
+            (0.9, Some(true)),
+            (1.0, Some(false)),
+            (1.25, None),
+            (-0.9, Some(true)),
+            (-1.0, Some(false)),
+            (-1.25, None),
+        ] {
+            for turn in 0..3 {
+                let p = [0, 1, 2].map(|k| [0.5, 0.25, z][(k + turn) % 3]);
+                let found = at(&CUBE, p, &near);
+                assert_eq!(found.as_ref().map(|(_, is_inside)| *is_inside), told, "{p:?}");
+                if let Some((witness, _)) = found {
+                    assert_eq!((witness.basis, witness.coefficients), (vec![0, 1, 2], p.to_vec()));
+                }
+            }
+        }
+        // a flat body has no inside
+        let (witness, is_inside) = at(&CUBE[..2], [0.5, 0.25, 0.0], &near[..2]).expect("it is a member");
+        assert_eq!((witness.basis, is_inside), (vec![0, 1], false));
+        assert!(at(&CUBE[..2], [0.5, 0.25, 0.5], &near[..2]).is_none());
+    }
+
+    #[test]
+    fn the_basis_has_room_and_leads_out_of_its_own_span() {
+        let rows = [[4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.5, 0.5, 2.0], [3.9, 0.0, 0.1]];
+        assert_eq!(roomy_basis(&query(&rows), &[0.0; 4]), [0, 1, 2]);
+        assert_eq!(roomy_basis(&query(&rows), &[-0.5, 0.0, 0.0, 0.0]), [1, 2, 3]);
+        assert_eq!(roomy_basis(&query(&rows), &[0.5, 0.0, 0.0, 0.0]), [1, 2, 3]);
+        // a coefficient at its end has no room
+        assert_eq!(roomy_basis(&query(&rows), &[0.0, 1.0, 0.0, 0.0]), [0, 2, 3]);
+        assert_eq!(roomy_basis(&query(&CUBE), &[0.0, 1.0, -1.0]), [0]);
+        // lengths count in terms of the longest coordinates
+        let thin = rows.map(|[x, y, z]| [x, y * 2f64.powi(-40), z * 2f64.powi(60)]);
+        assert_eq!(roomy_basis(&query(&thin), &[0.0; 4]), [0, 1, 2]);
+        assert_eq!(roomy_basis(&query(&thin), &[0.5, 0.0, 0.0, 0.0]), [1, 2, 3]);
+    }
+
+    #[test]
+    fn a_basis_of_a_plane_has_two_members() {
+        let (a, b) = ([1.0, 2.0, 2.0], [2.0, 1.0, -2.0]);
+        let of = |s: f64, t: f64| [0, 1, 2].map(|k| s * a[k] + t * b[k]);
+        let rows = [a, b, of(1.0, 1.0), of(0.3, -0.7), of(5.0, 3.0), of(-2.0, 0.1)];
+        for first in 0..5 {
+            let basis = roomy_basis(&query(&rows[first..]), &vec![0.25; 6 - first]);
+            assert_eq!(basis.len(), 2.min(6 - first), "{basis:?}");
+        }
+        assert_eq!(roomy_basis(&query(&[a, of(2.0, 0.0), [0.0; 3]]), &[0.0; 3]), [1]);
+        assert!(roomy_basis(&query(&[[0.0; 3]]), &[0.0]).is_empty());
+    }
+}

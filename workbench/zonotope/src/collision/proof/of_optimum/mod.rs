@@ -114,3 +114,151 @@ fn of_flat(flat: &FlatOptimum, ended_with: Option<Proof>, tally: &mut dyn Tally)
     };
     Proof { location, rung }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Status;
+    use crate::collision::brute_force;
+    use crate::interop::verifier::check_location;
+    use crate::zonotope::query::Query;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// A lattice body, of space or flat, with a point of it, on it or beyond it.
+    fn lattice(random: &mut Pcg64Mcg, round: usize) -> (Vec<[f64; 3]>, [f64; 3]) {
+        let n = 3 + round % 6;
+        let is_flat = round.is_multiple_of(7);
+        let mut vector =
+            || [0, 1, 2].map(|k| if is_flat && k == 2 { 0.0 } else { f64::from(random.random_range(-3..4)) });
+        let body: Vec<[f64; 3]> = (0..n).map(|_| vector()).collect();
+        let u = vector();
+        let mut share = |v: &[f64; 3]| {
+            let along = v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+            if along == 0.0 { f64::from(random.random_range(-4..5)) / 4.0 } else { along.signum() }
+        };
+        let factor = [1.0, 0.75, 1.0 - 2f64.powi(-30), 1.0 + 2f64.powi(-30), 1.25, 1.0][round % 6];
+        let mut p = [0.0; 3];
+        for v in &body {
+            let own = share(v);
+            p = [0, 1, 2].map(|k| p[k] + factor * own * v[k]);
+        }
+        (body, p)
+    }
+
+    /// Whether the coefficients of a witness's basis are near those that the others imply.
+    fn is_near(query: &Query<'_, 3>, witness: &Witness) -> bool {
+        let exact = witness.clone().with_nearest_basis(query);
+        exact.coefficients.iter().zip(&witness.coefficients).all(|(exact, own)| (exact - own).abs() < 1e-9)
+    }
+
+    fn optimum_of(query: &Query<'_, 3>) -> (ExactVector, ExactOptimum) {
+        let p = query.exact();
+        let optimum = ExactOptimum::of_whole(query, &p, None, &mut ());
+        (p, optimum)
+    }
+
+    #[test]
+    fn exact_optima_prove_where_points_of_lattices_are() {
+        let random = &mut Pcg64Mcg::seed_from_u64(131);
+        let mut counts = [0; 3];
+        for round in 0..400 {
+            let (body, p) = lattice(random, round);
+            if p == [0.0; 3] {
+                continue;
+            }
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            let (exact, optimum) = optimum_of(&query);
+            let proof = of_exact(&query, &optimum, &exact);
+            let status = brute_force::locate(&query).status();
+            assert_eq!(proof.location.status(), status, "{body:?} {p:?}");
+            assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?}");
+            counts[Status::ALL.iter().position(|own| *own == status).expect("one of three")] += 1;
+            if status == Status::Boundary && optimum.reach == optimum.along {
+                assert_eq!(proof.rung, Rung::ScaledSigns, "{body:?} {p:?}");
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 40), "{counts:?}");
+    }
+
+    #[test]
+    fn one_factor_is_enough_for_nearly_all_inner_points_of_space() {
+        let random = &mut Pcg64Mcg::seed_from_u64(132);
+        let mut scaled = 0;
+        for _ in 0..60 {
+            let body: Vec<[f64; 3]> = (0..6).map(|_| [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64))).collect();
+            let direction = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+            let gauge = brute_force::gauge(&Query::new([0.0; 3], direction, &body).expect("finite")).value;
+            let p = direction.map(|c| 0.8 * c / gauge);
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            let (exact, optimum) = optimum_of(&query);
+            let combination = Combination::new(&query, &optimum, &exact);
+            assert!(combination.spans_space() && (combination.factor() - 0.8).abs() < 1e-12);
+            let Some(witness) = combination.witness() else { continue };
+            let magnitude = |i: usize| witness.coefficients[i].abs();
+            let off: Vec<f64> = (0..6).filter(|i| !witness.basis.contains(i)).map(magnitude).collect();
+            assert!(off.iter().all(|c| *c == off[0] && (*c - 0.8).abs() < 1e-12 || *c == 1.0), "{witness:?}");
+            assert!(is_near(&query, &witness), "{witness:?}");
+            assert!(check_location(&query, &Location::Inside(witness)).is_right());
+            scaled += 1;
+        }
+        assert!(scaled >= 55, "{scaled}");
+    }
+
+    #[test]
+    fn the_centre_is_inside_just_when_the_generators_span_space() {
+        let body = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [3.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+        for (n, status) in [(0, Status::Boundary), (1, Status::Boundary), (3, Status::Boundary), (4, Status::Inside)] {
+            let query = Query::new([0.5; 3], [0.5; 3], &body[..n]).expect("finite");
+            let proof = of_center(&query);
+            assert_eq!((proof.location.status(), proof.rung), (status, Rung::ZeroDisplacement), "{n}");
+            assert!(check_location(&query, &proof.location).is_right(), "{n}");
+        }
+    }
+
+    /// The walk ends with a proof whatever the factor that it gives to nearly all generators.
+    #[test]
+    fn walks_end_with_a_proof() {
+        let random = &mut Pcg64Mcg::seed_from_u64(133);
+        let mut walked = 0;
+        for round in 0..600 {
+            let (body, p) = lattice(random, round);
+            if p == [0.0; 3] {
+                continue;
+            }
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            let (exact, optimum) = optimum_of(&query);
+            if optimum.along > optimum.reach {
+                continue;
+            }
+            let combination = Combination::new(&query, &optimum, &exact);
+            let is_inner = optimum.along < optimum.reach && combination.spans_space();
+            for factor in [combination.factor(), 1.0, 0.5] {
+                let witness = walk(&combination, factor);
+                assert!(is_near(&query, &witness), "{body:?} {p:?} {witness:?}");
+                let location = if is_inner { Location::Inside(witness) } else { Location::Boundary(witness) };
+                let checked = check_location(&query, &location).proof().map(drop);
+                assert_eq!(checked, Ok(()), "{body:?} {p:?} {factor} {location:?}");
+                walked += 1;
+            }
+        }
+        assert!(walked > 300, "{walked}");
+    }
+
+    #[test]
+    fn walks_keep_the_factor_where_the_basis_has_room() {
+        let body =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.25, 0.0, 0.5], [0.0, -0.25, 0.5], [0.0, 0.0, 0.25]];
+        let p = [0.1, -0.1, 1.0];
+        let query = Query::new([0.0; 3], p, &body).expect("finite");
+        let (exact, optimum) = optimum_of(&query);
+        let combination = Combination::new(&query, &optimum, &exact);
+        for factor in [0.5, combination.factor(), 0.375] {
+            let witness = walk(&combination, factor);
+            let off: Vec<usize> = (0..6).filter(|i| !witness.basis.contains(i)).collect();
+            assert_eq!(off.len(), 3, "{witness:?}");
+            assert!(off.iter().all(|&i| witness.coefficients[i] == factor), "{witness:?} {factor}");
+            assert!(check_location(&query, &Location::Inside(witness)).is_right());
+        }
+    }
+}
