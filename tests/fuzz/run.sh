@@ -8,7 +8,8 @@
 # in corpus/, what this run learns in target/corpus/; with KEEP=1 the inputs that reach most are put into corpus/. An
 # input that panics, takes more than 20 seconds or 4 GB is a file in target/finds/, and the script ends with 1: every find
 # becomes a test. Most of the time goes to telling the fuzzer the operands of comparisons, from which it learns words and
-# numbers of a format; COMPARES=0 leaves them out, for many executions from a corpus that knows the words already.
+# numbers of a format; COMPARES=0 leaves them out, for many executions from a corpus that knows the words already. OPTIONS
+# are the fuzzer's own, as in OPTIONS="-max_len=96 -entropic=0 -reduce_inputs=0" for very many short inputs.
 #
 # A stable toolchain is enough: the counters of branches come from a pass of the compiler that needs no nightly flag, and
 # there is no unsafe code of which the addresses would have to be watched. `cargo fuzz run TARGET` works as well.
@@ -37,7 +38,7 @@ for target in "${targets[@]}"; do
   program=target/$host/release/$target
   log=target/$target.log
   printf '\n== %s, %s seconds\n' "$target" "$share"
-  "$program" -max_total_time="$share" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
+  "$program" -max_total_time="$share" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 ${OPTIONS:-} \
     -artifact_prefix="target/finds/$target-" "target/corpus/$target" "corpus/$target" >"$log" 2>&1 ||
     failed+=("$target")
   grep -E '^stat::number_of_executed_units|^stat::slowest_unit_time_sec|SUMMARY|panicked|Test unit written' "$log" || true
