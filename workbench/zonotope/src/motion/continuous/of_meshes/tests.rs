@@ -274,8 +274,8 @@ fn numbers_of_very_different_sizes_take_few_stretches() {
     );
 }
 
-/// Volumes of points, and volumes in units of a vertex that is far away, are never near beside their own sizes: a fuzzer
-/// found that the whole time was halved to a millionth for each pair of triangles then.
+/// Volumes of points, and volumes in units of a vertex that is far away, are never near beside their own sizes: a
+/// fuzzer found that the whole time was halved to a millionth for each pair of triangles then.
 #[test]
 fn points_beside_vertices_far_away_take_few_stretches() {
     check_work(
