@@ -212,7 +212,7 @@ mod tests {
         [-x.error, 0.0, x.error].map(|off| Dyadic::from_f64(x.value) + Dyadic::from_f64(off))
     }
 
-    /// What an operation gives for each pair of exact values within the bounds of its operands.
+    /// The results of an operation on each pair of exact values within the bounds of its operands.
     pub(super) fn pairs(x: &Bounded, y: &Bounded, operation: impl Fn(&Dyadic, &Dyadic) -> Dyadic) -> Vec<Dyadic> {
         let others = ends(y);
         ends(x).iter().flat_map(|x| others.each_ref().map(|y| operation(x, y))).collect()

@@ -23,8 +23,8 @@ const PAIR_LIMIT: usize = 1 << 24;
 const LONGEST_WAYS: [f64; 2] = [4.0, 2.0];
 
 /// Stretches of nodes are halved at most so many times without a proof of any pair of nodes; until there is one, nodes
-/// are opened instead. Volumes that rounding makes larger than the whole scene, or that are points, never are near
-/// enough to each other for the rule above, however short the stretches are.
+/// are opened instead. Without this limit, nodes that are points, or whose volumes rounding makes larger than the scene,
+/// would be halved to the shortest stretches, as no way is short beside their sizes.
 const VAIN_HALVINGS: u32 = 64;
 
 /// A pair of parts and a stretch of time that is not decided yet.
