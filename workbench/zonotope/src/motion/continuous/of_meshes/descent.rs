@@ -23,7 +23,7 @@ const PAIR_LIMIT: usize = 1 << 24;
 const LONGEST_WAYS: [f64; 2] = [4.0, 2.0];
 
 /// Stretches of nodes are halved at most so many times without a proof of any pair of nodes; until there is one, nodes
-/// are opened instead. Without this limit, nodes that are points, or whose volumes rounding makes larger than the scene,
+/// are opened instead. Without this limit nodes that are points, or whose volumes rounding makes larger than a scene,
 /// would be halved to the shortest stretches, as no way is short beside their sizes.
 const VAIN_HALVINGS: u32 = 64;
 

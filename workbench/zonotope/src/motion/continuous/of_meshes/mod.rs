@@ -12,7 +12,7 @@
 //! 1. Take a pair of nodes with a stretch of time, the earliest of its pair. Their volumes are tested where they stand
 //!    at the middle of the stretch; if they are apart, a direction is searched for along which the control points of
 //!    both are apart, which proves the pair free, as it does for two zonotopes.
-//! 2. A stretch on which nodes go far beside their size is halved while that proves anything; else the larger is opened.
+//! 2. A stretch on which nodes go far beside their size is halved while that proves some; else the larger is opened.
 //! 3. Pairs of triangles are proved free in the same way, by their corners, and also along directions that turn with
 //!    them. Others are cut shortly before the gap along a direction vanishes, or halved; where both triangles meet at a
 //!    time, exactly, nothing after it matters to any pair.
