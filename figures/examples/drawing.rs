@@ -4,7 +4,7 @@ use figures::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use figures::scene::text::TextStyle;
 use figures::scene::{LegendEntry, Panel, Sample, Scene};
 use figures::style::{ENCLOSING, FOCUS, INK, Marker, Paint, Shape, Stroke, text_size};
-use zonotope::{Location, Separation, Zonotope};
+use zonotope::{Separation, Zonotope};
 
 const HEXAGON: Paint = Paint::fill(ENCLOSING, 0.1).with_outline(Stroke::new(ENCLOSING, 2.0));
 const BETWEEN: Stroke = Stroke::new(FOCUS, 1.5);
@@ -21,12 +21,13 @@ pub fn main() {
 fn picture() -> String {
     let body = Zonotope::new([0.0, 0.0], vec![[2.0, 0.5], [0.5, 1.5], [-1.0, 1.0]]).expect("the generators are finite");
     let point = [3.0, 3.0];
-    let Location::Outside(Separation::Rounded(u)) = body.locate(point).expect("the point is finite") else {
+    let located = body.locate(point).expect("the point is finite");
+    let Some(Separation::Rounded(u)) = located.separation() else {
         panic!("the point lies outside, and a direction of doubles separates it from the body")
     };
 
     // the line through the middle of the gap, where u · x is midway between the body's reach and the point
-    let (reach, along) = (body.support(u).value(), u[0] * point[0] + u[1] * point[1]);
+    let (reach, along) = (body.support(*u).value(), u[0] * point[0] + u[1] * point[1]);
     assert!(along > reach);
     let factor = (along + reach) / 2.0 / (u[0] * u[0] + u[1] * u[1]);
 

@@ -61,13 +61,15 @@ macro_rules! call {
     };
 }
 
-const CALLS: [(&str, Call); 9] = [
+const CALLS: [(&str, Call); 11] = [
     ("pass", call!(|scene| scene.sum.absolute_sum(&scene.displacement))),
     ("contains", call!(|scene| scene.sum.contains(scene.displacement))),
     ("locate", call!(|scene| scene.sum.locate(scene.displacement))),
+    ("locate_written", call!(|scene| scene.sum.locate(scene.displacement).map(|located| located.expand()))),
     ("gauge", call!(|scene| scene.sum.gauge(scene.displacement))),
     ("intersects", call!(|scene| scene.bodies[0].intersects(&scene.bodies[1]))),
     ("intersection", call!(|scene| scene.bodies[0].intersection(&scene.bodies[1]))),
+    ("intersection_written", call!(|scene| scene.bodies[0].intersection(&scene.bodies[1]).expand())),
     ("distance", call!(|scene| scene.bodies[0].placed().distance(scene.bodies[1].placed()))),
     ("proximity", call!(|scene| scene.bodies[0].placed().proximity(scene.bodies[1].placed()))),
     ("penetration", call!(|scene| scene.bodies[0].placed().penetration(scene.bodies[1].placed()))),

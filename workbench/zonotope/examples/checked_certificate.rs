@@ -9,7 +9,7 @@ pub fn main() {
     let body = Zonotope::new([1.0, 1.0, 1.0], generators.to_vec()).expect("the coordinates are finite");
     let point = [2.0, 2.5, 1.0];
 
-    let location = body.locate(point).expect("the point is finite");
+    let location = body.locate(point).expect("the point is finite").expand();
     let Location::Inside(witness) = location else { unreachable!("the point is near the centre") };
 
     let question = Displaced::new(&body.center(), &point, &generators).expect("the numbers are finite");

@@ -16,7 +16,8 @@ pub fn main() {
     for (point, status) in cases {
         let location = body.locate(point).expect("the point is finite");
         assert_eq!(location.status(), status);
-        match location {
+        // a coefficient for each generator is written when it is asked for
+        match location.expand() {
             Location::Inside(witness) | Location::Boundary(witness) => {
                 assert!(witness.coefficients.iter().all(|coefficient| coefficient.abs() <= 1.0));
                 println!("{point:?} is {status}: its coefficients are {:?}", witness.coefficients);

@@ -1,6 +1,6 @@
 //! Bodies under poses: the pose is a part of the question, exact as the numbers that it is made of.
 
-use zonotope::{Location, Pose, Separation, Status, Zonotope};
+use zonotope::{Pose, Status, Zonotope};
 
 /// Asks, prints and asserts.
 pub fn main() {
@@ -13,9 +13,8 @@ pub fn main() {
     let other = cube.at(&pose);
 
     // along x the turned cube reaches 1.4, so that the bodies are 0.1 apart
-    let Location::Outside(Separation::Rounded(direction)) = other.intersection(&cube) else {
-        unreachable!("the bodies are disjoint")
-    };
+    let apart = other.intersection(&cube);
+    let direction = apart.separation().expect("the bodies are disjoint");
     println!("disjoint along {direction:?}, at the distance {}", other.distance(&cube));
     assert!((other.distance(&cube) - 0.1).abs() < 1e-15);
 

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use zonotope::enclosing::min_area;
 use zonotope::motion::continuous::{FirstContact, first_contact};
-use zonotope::{Location, Motion, Zonotope};
+use zonotope::{Motion, Zonotope};
 
 /// Asks and asserts.
 pub fn main() {
@@ -14,7 +14,7 @@ pub fn main() {
 fn first_steps() -> Result<(), Box<dyn Error>> {
     let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?; // centre and generators
     assert!(square.contains([1.0, 0.5])?); // closed, and exact
-    assert!(matches!(square.locate([3.0, 0.5])?, Location::Outside(_))); // with a direction that separates
+    assert!(square.locate([3.0, 0.5])?.separation().is_some()); // a direction that separates
     assert_eq!(square.gauge([3.0, 0.5])?.value, 3.0); // it holds the point when it is three times as large
 
     let answer = min_area(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;

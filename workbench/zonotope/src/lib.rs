@@ -52,10 +52,11 @@
 //! How is an answer checked? It carries its proof: of a point outside, a direction u in which the point is beyond the
 //! body.
 //! ```
-//! # use zonotope::{Location, Separation, Zonotope};
+//! # use zonotope::{Separation, Zonotope};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?;
-//! let Location::Outside(Separation::Rounded(u)) = square.locate([3.0, 0.5])? else { panic!("the point is outside") };
+//! let located = square.locate([3.0, 0.5])?;
+//! let Some(Separation::Rounded(u)) = located.separation() else { panic!("the point is outside") };
 //! assert!(u[0] * 3.0 + u[1] * 0.5 > square.support(u).value());
 //! # Ok(()) }
 //! ```
@@ -148,7 +149,7 @@ mod tables;
 pub mod tally;
 pub mod zonotope;
 
-pub use collision::{Gauge, Location, PreparedFor, Separation, Status, Witness};
+pub use collision::{Gauge, Located, Location, PreparedFor, Separation, SignRule, Status, Witness};
 pub use enclosing::Enclosing;
 pub use motion::Motion;
 pub use numeric::non_finite::{NonFinite, Place};

@@ -28,10 +28,10 @@ fn check<const D: usize>(question: &Displaced, location: &Location<D>) {
 fn check_plain<const D: usize>(center: [f64; D], generators: &[[f64; D]], point: [f64; D]) {
     let body = Zonotope::new(center, generators.to_vec()).expect("finite");
     let question = Displaced::new(&center, &point, generators).expect("one dimension");
-    check(&question, &body.locate(point).expect("finite"));
+    check(&question, &body.locate(point).expect("finite").expand());
     check(&question, &body.gauge(point).expect("finite").location);
     let origin = Zonotope::new(point, vec![]).expect("finite");
-    check(&question, &body.intersection(&origin));
+    check(&question, &body.intersection(&origin).expand());
 }
 
 fn number() -> impl Strategy<Value = f64> {
@@ -81,9 +81,9 @@ tests::properties! {
         let own = Body { center: &center, generators: first, pose: Some(&there) };
         let other = Body { center: &point, generators: second, pose: Some(&here) };
         let question = Displaced::between(&own, &other).expect("space");
-        check(&question, &a.at(&from).intersection(b.at(&to)));
+        check(&question, &a.at(&from).intersection(b.at(&to)).expand());
         let question = Displaced::to_point(&own, &point).expect("space");
-        check(&question, &a.at(&from).locate(point).expect("finite"));
+        check(&question, &a.at(&from).locate(point).expect("finite").expand());
         let gauge = a.at(&from).gauge(point).expect("finite");
         if let Some(certificate) = certificate(&gauge.location) {
             let at_most_one = gauge.location.is_member();

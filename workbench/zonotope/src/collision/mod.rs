@@ -20,7 +20,8 @@
 //! methods of [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask
 //! that default; in space those of [`Placed`] ask about a body under a pose, or about one that was prepared.
 //!
-//! Answers of bodies go straight to a verifier; answers of a single method do so by [`Location::with_nearest_basis`].
+//! An answer of a body, [`Located`], has constant size near the boundary; expanded it goes straight to a verifier.
+//! Answers of a single method do so by [`Location::with_nearest_basis`].
 //!
 //! [`prepared`] has structures for a body that is asked again and again. [`hierarchy`] has bodies around and within a
 //! body, from coarse to fine, which tell whether two bodies meet from few generators unless they nearly touch.
@@ -49,7 +50,7 @@ pub mod upper_hull;
 
 pub use by_lad::{gauge, locate};
 
-pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness};
+pub use crate::zonotope::location::{Gauge, Location, Separation, SignRule, Status, Witness};
 pub use crate::zonotope::pose::{AtRest, Standing};
 pub use crate::zonotope::query::{Placed, Query};
-pub use doors::{Method, MethodError, PreparedFor};
+pub use doors::{Located, Method, MethodError, PreparedFor};

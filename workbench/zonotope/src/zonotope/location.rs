@@ -9,13 +9,14 @@ use crate::tally::{Rung, Tally};
 use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
-/// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
+/// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D, with the proof M of a
+/// member.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Location<const D: usize> {
+pub enum Location<const D: usize, M = Witness> {
     /// In the interior of Z (a flat Z has none): the interiors of two bodies meet.
-    Inside(Witness),
+    Inside(M),
     /// In Z, but not in its interior: two bodies only touch, or their sum is flat.
-    Boundary(Witness),
+    Boundary(M),
     /// Not in Z: a point outside, two bodies that are disjoint.
     Outside(Separation<D>),
 }
@@ -45,6 +46,36 @@ pub struct Witness {
     pub basis: Vec<usize>,
 }
 
+/// The coefficients of a displacement p that lies in Z by a rule of constant size, in space: f s_i with the sign s_i of
+/// g_i · u, but for those of a basis, which make up for what is left of p.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SignRule {
+    /// The direction u, nearly orthogonal to the facet of Z that is nearest along the ray through p. Of a body under a
+    /// pose g_i · u is the product with the direction that is carried back into the body.
+    pub direction: [f64; 3],
+    /// The factor f, from 0 to 1.
+    pub factor: f64,
+    /// Three linearly independent generators.
+    pub basis: [usize; 3],
+    /// The coefficients of the basis, to a few digits less than doubles have.
+    pub(crate) own: [f64; 3],
+}
+
+/// The coefficients of a member as a method found them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Coefficients {
+    /// By a rule, for whoever does not read them.
+    BySigns(SignRule),
+    /// One for each generator.
+    Written(Witness),
+}
+
+impl From<Witness> for Coefficients {
+    fn from(witness: Witness) -> Self {
+        Self::Written(witness)
+    }
+}
+
 /// The proof of a displacement p that lies outside Z: a direction u with u · p > Σ |u · g_i|, exactly.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Separation<const D: usize> {
@@ -68,6 +99,15 @@ pub struct Gauge<const D: usize> {
 }
 
 impl<const D: usize> Separation<D> {
+    /// The separation of a body of R^E, from that of its prism in R^D, or for itself if D = E.
+    #[inline]
+    pub(crate) fn lowered<const E: usize>(self) -> Separation<E> {
+        match self {
+            Self::Rounded(u) => Separation::Rounded(array::from_fn(|i| u[i])),
+            Self::Exact(u) => Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))),
+        }
+    }
+
     /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
     pub(crate) fn near<P: Standing>(question: &Query<'_, D, P>, direction: &[Dyadic; D]) -> Self {
         let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
@@ -106,7 +146,7 @@ impl Witness {
     }
 }
 
-impl<const D: usize> Location<D> {
+impl<const D: usize, M> Location<D, M> {
     /// Whether the displacement lies in the closed zonotope.
     pub fn is_member(&self) -> bool {
         !matches!(self, Self::Outside(_))
@@ -121,16 +161,25 @@ impl<const D: usize> Location<D> {
         }
     }
 
+    /// The same case with another proof of a member.
+    #[inline]
+    pub(crate) fn map<N>(self, proof: impl FnOnce(M) -> N) -> Location<D, N> {
+        match self {
+            Self::Inside(member) => Location::Inside(proof(member)),
+            Self::Boundary(member) => Location::Boundary(proof(member)),
+            Self::Outside(separation) => Location::Outside(separation),
+        }
+    }
+}
+
+impl<const D: usize> Location<D> {
     /// The answer for a body of R^E with `own` generators, from that for its prism in R^D, or for itself if D = E.
     #[inline]
     pub(crate) fn lowered<const E: usize>(self, own: usize) -> Location<E> {
         match self {
             Self::Inside(proof) => Location::Inside(proof.lowered(own)),
             Self::Boundary(proof) => Location::Boundary(proof.lowered(own)),
-            Self::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
-            Self::Outside(Separation::Exact(u)) => {
-                Location::Outside(Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))))
-            }
+            Self::Outside(separation) => Location::Outside(separation.lowered()),
         }
     }
 }
@@ -146,19 +195,19 @@ impl<const D: usize> Gauge<D> {
 /// A location with its proof, and the rung by which the proof was found.
 #[derive(Debug, Clone)]
 pub(crate) struct Proof {
-    pub(crate) location: Location<3>,
+    pub(crate) location: Location<3, Coefficients>,
     pub(crate) rung: Rung,
 }
 
 impl Proof {
     /// The proof of a displacement in the interior.
-    pub(crate) fn inside(witness: Witness, rung: Rung) -> Self {
-        Self { location: Location::Inside(witness), rung }
+    pub(crate) fn inside(member: impl Into<Coefficients>, rung: Rung) -> Self {
+        Self { location: Location::Inside(member.into()), rung }
     }
 
     /// The proof of a member that is not in the interior.
     pub(crate) fn boundary(witness: Witness, rung: Rung) -> Self {
-        Self { location: Location::Boundary(witness), rung }
+        Self { location: Location::Boundary(witness.into()), rung }
     }
 
     /// The proof by a direction of doubles that separates.
@@ -176,7 +225,7 @@ impl Proof {
 
     /// The location, its rung counted. The rung of a displacement of zero has been counted by the search that ended
     /// there.
-    pub(crate) fn counted(self, tally: &mut dyn Tally) -> Location<3> {
+    pub(crate) fn counted(self, tally: &mut dyn Tally) -> Location<3, Coefficients> {
         if self.rung != Rung::ZeroDisplacement {
             tally.answered_by(self.rung);
         }

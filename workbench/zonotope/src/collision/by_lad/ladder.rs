@@ -26,12 +26,12 @@ use crate::lad::of_generators::search_from;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::location::Proof;
+use crate::zonotope::location::{Coefficients, Proof};
 use crate::zonotope::pose::Standing;
 
 /// The location of a displacement of space. Expected O(n).
 #[inline(never)]
-pub(super) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Location<3> {
+pub(super) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Location<3, Coefficients> {
     if let Some(proof) = early::locate(query, tally) {
         return proof.counted(tally);
     }

@@ -64,6 +64,7 @@ use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::span::prism::Prism;
 use crate::tally::Tally;
+use crate::zonotope::location::Coefficients;
 use crate::zonotope::pose::Standing;
 
 /// Whether the kernel answers in a dimension.
@@ -77,6 +78,16 @@ const fn is_answered(dimension: usize) -> bool {
 /// Under poses the proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M
 /// g_i|.
 pub fn locate<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Location<D> {
+    decide(query, tally).written_for(query)
+}
+
+/// [`locate`] with the proof of a member as it was found, for callers who read the status alone, or have the
+/// coefficients written later.
+#[inline]
+pub(crate) fn decide<const D: usize, P: Standing>(
+    query: &Query<'_, D, P>,
+    tally: &mut dyn Tally,
+) -> Location<D, Coefficients> {
     const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
     located(query, tally).expect("the kernel answers up to four dimensions")
 }
@@ -96,29 +107,33 @@ pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally
     nearly_measured(query, tally).expect("the kernel answers up to four dimensions")
 }
 
-/// [`locate`] for callers of any dimension; `None` where the kernel does not answer.
+/// [`decide`] for callers of any dimension; `None` where the kernel does not answer.
 #[inline(never)]
 pub(crate) fn located<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
     tally: &mut dyn Tally,
-) -> Option<Location<D>> {
+) -> Option<Location<D, Coefficients>> {
     let own = query.len();
     if !is_answered(D) {
         return None;
     }
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            return Some(by_lad_in_r4::locate(&query, &mut &mut *tally).lowered(own));
+            return Some(by_lad_in_r4::locate(&query, &mut &mut *tally).lowered(own).map(Coefficients::from));
         }
         if let Some(scaled) = Scaled::of(&query) {
-            return located(&scaled.query(), tally);
+            // products with the rows themselves may leave the range of doubles
+            let query = scaled.query();
+            return Some(located(&query, tally)?.written_for(&query).map(Coefficients::from));
         }
         if D < 3 {
             let prism = Prism::over(&query);
-            return Some(ladder::from_optimum(&prism.query(), None, tally).counted(tally).lowered(own));
+            let query = prism.query();
+            let location = ladder::from_optimum(&query, None, tally).counted(tally).written(&query);
+            return Some(location.lowered(own).map(Coefficients::from));
         }
     }
-    Some(ladder::locate(&query.in_dimension::<3>()?, tally).lowered(own))
+    Some(Location::of_space(ladder::locate(&query.in_dimension::<3>()?, tally)))
 }
 
 /// [`gauge`] for callers of any dimension; `None` where the kernel does not answer.

@@ -115,7 +115,7 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Option<Location<D>>, MethodError> {
         let located = match self {
-            Self::ByLad => by_lad::located(question, tally),
+            Self::ByLad => by_lad::located(question, tally).map(|location| location.written_for(question)),
             Self::BySlopeSelection => {
                 in_dimensions!([1 2 3], question, by_slope_selection::locate(question, seed, &mut &mut *tally))
             }

@@ -4,11 +4,11 @@
 //! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
 //! himself and hands it to a [`Method`].
 
-use crate::collision::{Method, Query, by_lad};
+use crate::collision::{Located, Method, Query, by_lad};
 use crate::numeric::non_finite::NonFinite;
 use crate::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
-use crate::zonotope::location::{Gauge, Location};
+use crate::zonotope::location::{Coefficients, Gauge, Location};
 
 impl<const D: usize> Zonotope<D> {
     /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals
@@ -21,15 +21,15 @@ impl<const D: usize> Zonotope<D> {
     }
 
     /// The location of a point relative to the body, with a proof: coefficients of the generators, or a separating
-    /// direction. The cost is that of [`contains`](Self::contains), and a pass over the generators for the last digits
-    /// of the coefficients, which are such that a verifier takes them
-    /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
+    /// direction. The cost is that of [`contains`](Self::contains); the coefficients are written by
+    /// [`Located::expand`].
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; D]) -> Result<Location<D>, NonFinite> {
+    pub fn locate(&self, point: [f64; D]) -> Result<Located<'_, D>, NonFinite> {
         let query = Query::of_point(point, self)?;
-        Ok(located(&query).with_nearest_basis(&query))
+        let location = located(&query);
+        Ok(Located::new(query, location))
     }
 
     /// The gauge of a point: how many times the body must be taken, from its centre, to hold it, within four units in
@@ -54,16 +54,17 @@ impl<const D: usize> Zonotope<D> {
     /// The location of two bodies relative to each other, with a proof: inside if their interiors have a point in
     /// common, boundary if they only touch (or their sum is flat), outside if they are disjoint. It locates the
     /// difference of the centres relative to the generators of both (Lemma 5.1).
-    pub fn intersection(&self, other: &Self) -> Location<D> {
+    pub fn intersection<'q>(&'q self, other: &'q Self) -> Located<'q, D> {
         let query = Query::between(self, other);
-        located(&query).with_nearest_basis(&query)
+        let location = located(&query);
+        Located::new(query, location)
     }
 }
 
 #[inline]
-fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
+fn located<const D: usize>(query: &Query<'_, D>) -> Location<D, Coefficients> {
     by_lad::located(query, &mut ()).unwrap_or_else(|| {
         let location = Method::BruteForce.locate(query, DEFAULT_SEED, &mut ());
-        location.ok().flatten().expect("brute force locates every displacement")
+        location.ok().flatten().expect("brute force locates every displacement").map(Coefficients::from)
     })
 }

@@ -1,11 +1,12 @@
 //! Questions about a body of space where it stands: under a pose, or prepared. A moved body keeps its generators: the
 //! pose is part of the question, and exact like it.
 
-use crate::collision::by_lad::{locate, nearest_gauge};
+use crate::collision::Located;
+use crate::collision::by_lad::{decide, nearest_gauge};
 use crate::collision::distance::penetration::{Penetration, by_inner_polytope};
 use crate::collision::distance::{Proximity, by_support_simplex};
 use crate::numeric::non_finite::NonFinite;
-use crate::zonotope::location::{Gauge, Location};
+use crate::zonotope::location::Gauge;
 use crate::zonotope::pose::Standing;
 use crate::zonotope::prepared::PreparedBody;
 use crate::zonotope::query::{Placed, Query};
@@ -16,17 +17,18 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(locate(&Query::of_point_in(point, *self)?, &mut ()).is_member())
+        Ok(decide(&Query::of_point_in(point, *self)?, &mut ()).is_member())
     }
 
     /// The location of a point relative to the body, with a proof in coefficients of the generators as they are stored,
-    /// or a direction. O(n) expected.
+    /// or a direction. O(n) expected; the coefficients are written by [`Located::expand`].
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
+    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'a, 3, P>, NonFinite> {
         let query = Query::of_point_in(point, *self)?;
-        Ok(locate(&query, &mut ()).with_nearest_basis(&query))
+        let location = decide(&query, &mut ());
+        Ok(Located::new(query, location))
     }
 
     /// The gauge of a point: how many times the body must be taken, from its centre, to hold it. O(n) expected.
@@ -39,13 +41,17 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
 
     /// Whether two closed bodies have a point in common where they stand, exactly. O(n) expected.
     pub fn intersects<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> bool {
-        locate(&self.query(other.into()), &mut ()).is_member()
+        decide(&self.query(other.into()), &mut ()).is_member()
     }
 
     /// The location of two bodies relative to each other where they stand, with a proof. O(n) expected.
-    pub fn intersection<'b>(&self, other: impl Into<Placed<'b, 3, P>>) -> Location<3> {
+    pub fn intersection<'q>(&self, other: impl Into<Placed<'q, 3, P>>) -> Located<'q, 3, P>
+    where
+        'a: 'q,
+    {
         let query = self.query(other.into());
-        locate(&query, &mut ()).with_nearest_basis(&query)
+        let location = decide(&query, &mut ());
+        Located::new(query, location)
     }
 
     /// The Euclidean distance of two closed bodies where they stand, 0 where they meet; within two units in the last
@@ -89,7 +95,7 @@ impl PreparedBody {
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
+    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'_, 3>, NonFinite> {
         self.placed().locate(point)
     }
 
@@ -107,7 +113,7 @@ impl PreparedBody {
     }
 
     /// The location of two bodies relative to each other, with a proof. O(n) expected.
-    pub fn intersection<'b>(&self, other: impl Into<Placed<'b>>) -> Location<3> {
+    pub fn intersection<'q>(&'q self, other: impl Into<Placed<'q>>) -> Located<'q, 3> {
         self.placed().intersection(other)
     }
 }
@@ -155,7 +161,7 @@ mod tests {
             assert_eq!(prepared.contains(point), Ok(factor <= 1.0));
             assert_eq!(prepared.gauge(point), cube.gauge(point));
             let other = cube.translated(point.map(|c| 2.0 * c)).expect("finite");
-            assert_eq!(prepared.intersection(&other), cube.intersection(&other));
+            assert_eq!(prepared.intersection(&other).expand(), cube.intersection(&other).expand());
             assert_eq!(prepared.intersects(&PreparedBody::new(other.clone())), factor <= 1.0);
             let moved = Pose::from_translation(other.center()).expect("finite");
             assert_eq!(prepared.intersects(&other), prepared.at(&moved).intersects(&prepared));

@@ -5,12 +5,13 @@
 //! membership; a tree serves locations and gauges of points as well. A proof in coefficients, and how two bodies meet,
 //! take a pass over the generators in any case.
 
+use super::located::Located;
 use crate::collision::by_lad::nearest_gauge;
 use crate::collision::prepared::QueryStructure;
 use crate::collision::prepared::choice::Kind;
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
-use crate::zonotope::location::{Gauge, Location};
+use crate::zonotope::location::{Coefficients, Gauge};
 use crate::zonotope::query::{Placed, Query};
 
 /// The most bytes that a structure may hold. A body that takes more itself stays as it is.
@@ -58,12 +59,16 @@ impl PreparedFor {
         self.structure.contains(point)
     }
 
-    /// The location of a point, with a proof in coefficients of the body's generators, or a separating direction.
+    /// The location of a point, with a proof in coefficients of the body's generators, or a separating direction. The
+    /// proof of a tree's answer is written at once.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
-        Ok(self.structure.locate(point)?.with_nearest_basis(&Query::of_point(point, &self.body)?))
+    pub fn locate(&self, point: [f64; 3]) -> Result<Located<'_, 3>, NonFinite> {
+        let body = Placed::from(self);
+        let Some(tree) = self.structure.tree() else { return body.locate(point) };
+        let location = tree.locate(point, &mut ())?.expand();
+        Ok(Located::new(Query::of_point_in(point, body)?, location.map(Coefficients::from)))
     }
 
     /// The gauge of a point: how many times the body must be taken, from its centre, to hold it; with the proof of
@@ -86,7 +91,7 @@ impl PreparedFor {
     }
 
     /// The location of two bodies relative to each other, with a proof.
-    pub fn intersection<'b>(&self, other: impl Into<Placed<'b>>) -> Location<3> {
+    pub fn intersection<'q>(&'q self, other: impl Into<Placed<'q>>) -> Located<'q, 3> {
         Placed::from(self).intersection(other)
     }
 }
@@ -129,13 +134,13 @@ mod tests {
                 let is_near =
                     gauge.value == truth.value || (gauge.value - truth.value).abs() <= gauge.error + truth.error;
                 assert!(is_near, "{kind:?}: {} {}", gauge.value, truth.value);
-                for location in [prepared.locate(point).expect("finite"), gauge.location] {
+                for location in [prepared.locate(point).expect("finite").expand(), gauge.location] {
                     assert_eq!(location.status(), status, "{kind:?}");
                     let query = Query::of_point(point, &body).expect("finite");
                     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 }
                 let other = body.translated(point).expect("finite");
-                assert_eq!(prepared.intersection(&other), body.intersection(&other));
+                assert_eq!(prepared.intersection(&other).expand(), body.intersection(&other).expand());
                 assert_eq!(prepared.intersects(&other), body.intersects(&other));
             }
             assert!(prepared.gauge([f64::NAN; 3]).is_err() && prepared.contains([f64::INFINITY; 3]).is_err());

@@ -97,7 +97,7 @@ impl PreparedByFacets {
         } else if value + error < 1.0 {
             Status::Inside
         } else {
-            by_lad::locate(&query, &mut ()).status()
+            by_lad::decide(&query, &mut ()).status()
         })
     }
 

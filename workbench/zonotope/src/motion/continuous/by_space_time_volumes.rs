@@ -44,7 +44,7 @@ use super::ordinary_sizes;
 use super::parts::body::Body;
 use super::parts::rates::Rates;
 use super::scene::Scene;
-use crate::collision::by_lad::locate;
+use crate::collision::by_lad::decide;
 use crate::collision::{Location, Separation};
 use crate::motion::Motion;
 use crate::motion::arc::Arc;
@@ -87,7 +87,7 @@ impl Bound for Volumes {
         });
         let (a, b) = (a?, b?);
         let mut counts = OperationCounts::default();
-        let location = locate(&Query::between(&a, &b), &mut counts);
+        let location = decide(&Query::between(&a, &b), &mut counts);
         let generators = (a.generators().len() + b.generators().len()).max(1) as u64;
         let passes = counts.get(Operation::GeneratorRead).div_ceil(generators).max(1);
         tally.add(Operation::SupportEvaluation, 2 * passes);

@@ -146,7 +146,8 @@ mod tests {
                 let displacement = query.displacement_estimate();
                 let location = locate(&query, &displacement, &mut counts)
                     .expect("it is far from the boundary")
-                    .counted(&mut counts);
+                    .counted(&mut counts)
+                    .written(&query);
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
             }

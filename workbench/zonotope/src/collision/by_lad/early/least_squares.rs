@@ -306,7 +306,7 @@ mod tests {
         let p = bounded::exact(p);
         let answers = [of_least::<true>(&query, &p).ok(), of_least::<false>(&query, &p).ok()];
         let [own, even] = answers.map(|proof| {
-            let location = proof?.location;
+            let location = proof?.location.written(&query);
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             Some(location.status().name())
         });

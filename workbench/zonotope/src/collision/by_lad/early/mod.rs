@@ -96,7 +96,7 @@ fn locate_flat(query: &impl KernelQuery, p: &BoundedVector, tally: &mut dyn Tall
     let body = prism.query();
     let steps = State::new(&plane.projected(&open.y), open.gauge);
     let of_prism = steps.prove(&body, &body.displacement_estimate(), Lengths::Own, Among::First(WHOLE_LIMIT), tally)?;
-    match of_prism.location {
+    match of_prism.location.written(&body) {
         Location::Inside(witness) => Some(Proof::boundary(prism.lower_witness(witness), of_prism.rung)),
         Location::Boundary(_) | Location::Outside(_) => None,
     }
@@ -243,7 +243,7 @@ mod tests {
                     let query = Query::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
                     let Some(proof) = locate(&query, &mut counts) else { continue };
-                    let location = proof.location;
+                    let location = proof.location.written(&query);
                     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                     assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
                     (proved, reads) = (proved + 1, reads + counts.get(Operation::GeneratorRead));
@@ -262,7 +262,7 @@ mod tests {
             let p = point(&body, u, random.random_range(0.7..1.4));
             let query = Query::new([0.0; 3], p, &body).expect("finite");
             if let Some(proof) = locate(&query, &mut ()) {
-                let location = proof.location;
+                let location = proof.location.written(&query);
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&query).status());
             }
@@ -284,7 +284,7 @@ mod tests {
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
             let query = Query::new([0.0; 3], p, &square).expect("finite");
-            let location = locate(&query, &mut ()).expect("it is in a simple plane").location;
+            let location = locate(&query, &mut ()).expect("it is in a simple plane").location.written(&query);
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             assert_eq!(location.status().name(), "boundary");
         }

@@ -70,7 +70,7 @@ mod rounded_vertices;
 mod tests;
 
 use super::Proximity;
-use crate::collision::by_lad::locate;
+use crate::collision::by_lad::{decide, locate};
 use crate::collision::{Location, Separation};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
@@ -110,7 +110,7 @@ pub fn proximity<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &m
 /// nearest point, and nothing but the distance is made.
 pub fn distance<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> f64 {
     if let Some(query) = query.in_dimension::<3>() {
-        let Location::Outside(separation) = locate(&query, tally) else { return 0.0 };
+        let Location::Outside(separation) = decide(&query, tally) else { return 0.0 };
         let start = direction(&separation);
         return in_pairs::distance(&query, start, tally)
             .unwrap_or_else(|| in_space(&query, &query.ends(), start, tally).distance());

@@ -35,7 +35,7 @@ impl<P: Standing> TreeQuery<'_, P> {
         if self.is_located_by_nodes() {
             return self.located_by_nodes(tally);
         }
-        early::locate(&self.query, tally).map(|proof| Certified::Written(proof.counted(tally)))
+        early::locate(&self.query, tally).map(|proof| Certified::Written(proof.counted(tally).written(&self.query)))
     }
 
     /// Whether what rounding takes off the sums of nodes and off the displacement is little.
@@ -78,9 +78,9 @@ impl<P: Standing> TreeQuery<'_, P> {
                 self.tree_parts().iter().fold(along, beyond).is_positive()
             })?;
             tally.answered_by(Rung::SampledDirection);
-            return Some(Certified::Written(proof.location));
+            return Some(Certified::Written(proof.location.written(&query)));
         }
-        let Location::Inside(witness) = proof.location else { return None };
+        let Location::Inside(witness) = proof.location.written(&query) else { return None };
         tally.answered_by(Rung::LeastSquares);
         Some(Certified::Sums(witness.coefficients))
     }

@@ -167,7 +167,7 @@ mod tests {
     /// The proof that a pair gives, checked exactly.
     fn proved(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
-        let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location;
+        let location = location_by_pair(&query, &crate::numeric::bounded::exact(p), pair)?.location.written(&query);
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
         Some(location.status().name())
     }
@@ -324,7 +324,11 @@ mod tests {
                 }
                 let proof = proof.expect("the point is on the facet");
                 assert_eq!(proof.location.status(), Status::Boundary);
-                assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?}");
+                assert_eq!(
+                    check_location(&query, &proof.location.written(&query)).proof().map(drop),
+                    Ok(()),
+                    "{body:?} {p:?}"
+                );
             }
         }
         assert!(doubtful > 20, "{doubtful}");

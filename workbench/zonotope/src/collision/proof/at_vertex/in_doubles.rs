@@ -9,10 +9,11 @@
 //!
 //! Every bound is in terms of coordinates and not of lengths: a body that is thin along an axis is as good as another.
 
-use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+use fearless_simd::{Simd, dispatch};
 
 use super::contact::touching;
 use super::in_pairs::location_in_pairs;
+use crate::collision::proof::sign_rule;
 use crate::collision::proof::vectors::{SumErrors, Vectors, first_of_largest, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::generators::Part;
@@ -20,13 +21,13 @@ use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
-use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
+use crate::numeric::lanes::octet::{splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::tally::Rung;
-use crate::zonotope::location::{Proof, Witness};
+use crate::zonotope::location::{Coefficients, Proof, SignRule, Witness};
 
 /// The number of generators that are looked at for the third of a basis where the two of the facet make up for
 /// everything in its plane.
@@ -51,9 +52,9 @@ impl<T: Number> Signed<T> {
         Self { sum: [units.zero; 3], reach: units.zero, sizes: [units.zero; 3] }
     }
 
-    /// Takes generators in; their signs, 1 or −1.
+    /// Takes generators in.
     #[inline(always)]
-    fn read(&mut self, units: &Units<T>, v: &[T; 3], u: &[T; 3]) -> T {
+    fn read(&mut self, units: &Units<T>, v: &[T; 3], u: &[T; 3]) {
         let along = product(v, u);
         let sign = units.one.signed_as(along);
         self.reach += along.magnitude();
@@ -61,7 +62,6 @@ impl<T: Number> Signed<T> {
             *sum += sign * *c;
             *size += c.magnitude();
         }
-        sign
     }
 }
 
@@ -78,15 +78,14 @@ struct Sums {
 }
 
 impl Sums {
-    /// The sums; writes the signs. At rest one pass takes both runs.
+    /// The sums. At rest one pass takes both runs.
     #[inline]
-    fn of(parts: &[Part<'_>; 2], u: &[f64; 3], signs: &mut [f64]) -> Self {
+    fn of(parts: &[Part<'_>; 2], u: &[f64; 3]) -> Self {
         let [first, second] = parts;
         if first.frame.is_none() && second.frame.is_none() {
-            return Self::of_rows([first.rows, second.rows], u, signs);
+            return Self::of_rows([first.rows, second.rows], u);
         }
-        let (own, others) = signs.split_at_mut(first.rows.len());
-        let (own, others) = (Self::of_part(first, u, own), Self::of_part(second, u, others));
+        let (own, others) = (Self::of_part(first, u), Self::of_part(second, u));
         let both = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
         Self {
             sum: both(own.sum, others.sum),
@@ -96,10 +95,10 @@ impl Sums {
         }
     }
 
-    fn of_part(part: &Part<'_>, u: &[f64; 3], signs: &mut [f64]) -> Self {
+    fn of_part(part: &Part<'_>, u: &[f64; 3]) -> Self {
         let runs = [part.rows, Rows::NONE];
-        let Some(frame) = part.frame else { return Self::of_rows(runs, u, signs) };
-        let rows = Self::of_rows(runs, &frame.pulled(u), signs);
+        let Some(frame) = part.frame else { return Self::of_rows(runs, u) };
+        let rows = Self::of_rows(runs, &frame.pulled(u));
         Self {
             sum: frame.image(&rows.sum),
             reach: rows.reach,
@@ -109,28 +108,24 @@ impl Sums {
     }
 
     #[inline(always)]
-    fn of_rows(runs: [Rows<'_>; 2], u: &[f64; 3], signs: &mut [f64]) -> Self {
-        let Signed { sum, reach, sizes } = dispatch!(level(), simd => signed(simd, runs, u, signs));
+    fn of_rows(runs: [Rows<'_>; 2], u: &[f64; 3]) -> Self {
+        let Signed { sum, reach, sizes } = dispatch!(level(), simd => signed(simd, runs, u));
         Self { sum, reach, sizes, terms: dot(&sizes, &u.map(f64::abs)) }
     }
 }
 
-/// The sums over rows; writes their signs.
+/// The sums over rows.
 #[inline(always)]
-fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3], mut signs: &mut [f64]) -> Signed<f64> {
+fn signed<S: Simd>(simd: S, runs: [Rows<'_>; 2], u: &[f64; 3]) -> Signed<f64> {
     let (wide, units) = (splat(simd, u), Units::wide(simd));
     let (mut lanes, mut few) = (Signed::new(&units), Signed::new(&Units::SINGLE));
     for run in runs {
-        let (places, others) = signs.split_at_mut(run.len());
-        signs = others;
         let (octets, rest) = run.octets().whole_and_rest();
-        let (whole, last) = places.as_chunks_mut::<LANES>();
-        for (k, place) in whole.iter_mut().enumerate() {
-            let sign: f64x8<S> = lanes.read(&units, &octets.load(simd, k), &wide);
-            reordered(simd, sign).store_slice(place);
+        for k in 0..octets.len() {
+            lanes.read(&units, &octets.load(simd, k), &wide);
         }
-        for (v, place) in rest.iter().zip(last) {
-            *place = few.read(&Units::SINGLE, v, u);
+        for v in rest {
+            few.read(&Units::SINGLE, v, u);
         }
     }
     let (sum, sizes) = (totals(&lanes.sum), totals(&lanes.sizes));
@@ -153,9 +148,7 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     let (product, own) = (cross(&a, &b), [p[0].value, p[1].value, p[2].value]);
     let reversed = dot(&product, &own) < 0.0;
     let u = if reversed { [-product[0], -product[1], -product[2]] } else { product };
-    let mut signs = Reused::with_capacity(n);
-    signs.resize(n, 0.0);
-    let sums = Sums::of(&vectors.parts, &u, &mut signs);
+    let sums = Sums::of(&vectors.parts, &u);
     // a term of the pass goes through at most n / 2 + 16 additions, and a product of two vectors through three
     // roundings more
     let roundings = UNIT * (n / 2 + 16) as f64;
@@ -168,13 +161,16 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     if !factor.is_finite() {
         return None;
     }
+    let is_below = (reach - along).is_positive();
     let errors = SumErrors { p, sizes: [0, 1, 2].map(|k| sums.sizes[k] + own[k].abs()), count: n };
-    if (reach - along).is_positive() {
-        let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors: &errors };
-        let proof = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
-        if proof.is_some() {
-            return proof;
-        }
+    let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors: &errors };
+    if is_below && let Some(proof) = facet.combined_by_pair() {
+        return Some(proof);
+    }
+    let mut signs = Reused::with_capacity(n);
+    sign_rule::write(&vectors.parts, &u, 1.0, &mut signs);
+    if is_below && let Some(proof) = facet.combined_by_shares(&mut signs) {
+        return Some(proof);
     }
     let exactly = |signs: &mut [f64]| touching(query, &vectors, pair, &u, reversed, signs, &errors);
     let in_pairs = |signs: &[f64]| location_in_pairs(query, &vectors, pair, &u, reversed, signs);
@@ -201,11 +197,14 @@ struct Facet<'a> {
 impl Facet<'_> {
     /// The proof in which the two of the facet make up for everything in its plane.
     #[inline]
-    fn combined_by_pair(&self, signs: &[f64]) -> Option<Proof> {
+    fn combined_by_pair(&self) -> Option<Proof> {
         let third = self.third(THIRD_CANDIDATES)?;
         let [a, b] = self.pair;
-        let left = self.without([a, b, third].into_iter(), signs);
-        self.combined(third, left, signs, &self.errors.after(0))
+        let sign = |i| sign_rule::sign(&self.vectors.parts, &self.u, i);
+        let left = self.without([a, b, third].into_iter(), sign);
+        let own = self.own(third, left, &self.errors.after(0))?;
+        let rule = SignRule { direction: self.u, factor: self.factor, basis: [a, b, third], own };
+        Some(Proof::inside(Coefficients::BySigns(rule), Rung::RoundedCoefficients))
     }
 
     /// The proof in which all generators of the facet share what is to be made up for in its plane.
@@ -217,7 +216,7 @@ impl Facet<'_> {
         if members.len() <= self.pair.len() || self.pair.iter().any(|i| !members.contains(i)) {
             return None;
         }
-        let left = self.without(members.iter().copied(), signs);
+        let left = self.without(members.iter().copied(), |i| signs[i]);
         let duals = [cross(&b, &self.p), cross(&self.p, &a)];
         let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
         let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
@@ -231,7 +230,10 @@ impl Facet<'_> {
                 left = minus(left, -share, &self.vectors.value(i));
             }
         }
-        self.combined(third, left, signs, &self.errors.after(2 * members.len()))
+        let own = self.own(third, left, &self.errors.after(2 * members.len()))?;
+        let coefficients = signs.iter().map(|share| self.factor * share).collect();
+        let witness = Witness::with_basis(coefficients, [self.pair[0], self.pair[1], third], own);
+        Some(Proof::inside(witness, Rung::RoundedCoefficients))
     }
 
     /// The generator that is farthest from the facet's plane among some candidates.
@@ -242,23 +244,21 @@ impl Facet<'_> {
         first_of_largest(places.map(|i| (dot(&self.vectors.value(i), &self.u).abs(), i)))
     }
 
-    /// The signed sum without some generators, whose signs are listed.
+    /// The signed sum without some generators.
     #[inline]
-    fn without(&self, generators: impl Iterator<Item = usize>, signs: &[f64]) -> [f64; 3] {
-        generators.fold(self.sum, |sum, i| minus(sum, signs[i], &self.vectors.value(i)))
+    fn without(&self, generators: impl Iterator<Item = usize>, sign: impl Fn(usize) -> f64) -> [f64; 3] {
+        generators.fold(self.sum, |sum, i| minus(sum, sign(i), &self.vectors.value(i)))
     }
 
-    /// The proof with a third generator in the basis, where `left` is the sum of all generators off the basis with
-    /// their signs or shares, off by at most `errors`.
+    /// The coefficients of the two of the facet and a third generator, if they are in (−1, 1), where `left` is the sum
+    /// of all generators off the basis with their signs or shares, off by at most `errors`.
     #[inline]
-    fn combined(&self, third: usize, left: [f64; 3], shares: &[f64], errors: &[f64; 3]) -> Option<Proof> {
+    fn own(&self, third: usize, left: [f64; 3], errors: &[f64; 3]) -> Option<[f64; 3]> {
         let basis = [self.pair[0], self.pair[1], third];
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
         let own = self.vectors.coefficients(basis, &rest, errors)?;
         let [Some(first), Some(second), Some(last)] = own else { return None };
-        let coefficients = shares.iter().map(|share| self.factor * share).collect();
-        let witness = Witness::with_basis(coefficients, basis, [first, second, last]);
-        Some(Proof::inside(witness, Rung::RoundedCoefficients))
+        Some([first, second, last])
     }
 }
 

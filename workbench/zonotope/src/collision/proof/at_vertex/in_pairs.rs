@@ -151,6 +151,7 @@ mod tests {
     use super::*;
     use crate::collision::brute_force;
     use crate::interop::verifier::check_location;
+    use crate::zonotope::location::Coefficients;
     use crate::zonotope::location::Status;
     use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
@@ -189,7 +190,8 @@ mod tests {
             let u = u.map(|c| sign * c);
             let shares = body.map(|v| f64::copysign(1.0, dot(&v, &u)));
             let vectors = Vectors::of(&query).expect("it has no matrix");
-            location_in_pairs(&query, &vectors, [i, j], &u, sign < 0.0, &shares).map(|proof| proof.location)
+            location_in_pairs(&query, &vectors, [i, j], &u, sign < 0.0, &shares)
+                .map(|proof| proof.location.written(&query))
         });
         let checked = locations.map(|location| {
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
@@ -205,7 +207,8 @@ mod tests {
         let product = cross(&body[pair[0]], &body[pair[1]]);
         let u = if is_reversed { product.map(|c| -c) } else { product };
         let proof = location_in_pairs(&query, &vectors, pair, &u, is_reversed, shares)?;
-        assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?} {shares:?}");
+        let written = proof.location.clone().written(&query);
+        assert_eq!(check_location(&query, &written).proof().map(drop), Ok(()), "{body:?} {p:?} {shares:?}");
         Some(proof)
     }
 
@@ -243,7 +246,7 @@ mod tests {
     fn coefficients_of_the_basis_are_near_those_that_they_imply() {
         let body = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 4.0]];
         let proof = answer(&body, [0.25, 0.5, 3.0], [0, 1], false, &[1.0; 3]).expect("below the top");
-        let Location::Inside(witness) = proof.location else { unreachable!("the point is inside") };
+        let Location::Inside(Coefficients::Written(witness)) = proof.location else { unreachable!("it is inside") };
         assert_eq!((witness.basis, witness.coefficients), (vec![0, 1, 2], vec![0.25, 0.25, 0.75]));
     }
 

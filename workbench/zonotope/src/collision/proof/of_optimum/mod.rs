@@ -36,7 +36,7 @@ use crate::zonotope::location::Proof;
 
 /// The location of the displacement of a query, with its proof, from an optimum for which no search was ended.
 pub(in crate::collision) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
-    proof(query, optimum, None, tally).counted(tally)
+    proof(query, optimum, None, tally).counted(tally).written(query)
 }
 
 /// The proof from an optimum, or the one with which the search was ended.
@@ -100,9 +100,10 @@ fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector) ->
 
 /// The proof for a flat body from that for its prism: a flat body has no inside.
 fn of_flat(flat: &FlatOptimum, ended_with: Option<Proof>, tally: &mut dyn Tally) -> Proof {
-    let Proof { location, rung } = proof(&flat.prism.query(), &flat.optimum, ended_with, tally);
-    let location = match flat.prism.lower(location) {
-        Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness),
+    let query = flat.prism.query();
+    let Proof { location, rung } = proof(&query, &flat.optimum, ended_with, tally);
+    let location = match flat.prism.lower(location.written(&query)) {
+        Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness.into()),
         Location::Outside(Separation::Rounded(mut u)) => {
             u[flat.axis] = 0.0;
             Location::Outside(Separation::Rounded(u))
@@ -172,7 +173,8 @@ mod tests {
             let proof = of_exact(&query, &optimum, &exact);
             let status = brute_force::locate(&query).status();
             assert_eq!(proof.location.status(), status, "{body:?} {p:?}");
-            assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?}");
+            let written = proof.location.written(&query);
+            assert_eq!(check_location(&query, &written).proof().map(drop), Ok(()), "{body:?} {p:?}");
             counts[Status::ALL.iter().position(|own| *own == status).expect("one of three")] += 1;
             if status == Status::Boundary && optimum.reach == optimum.along {
                 assert_eq!(proof.rung, Rung::ScaledSigns, "{body:?} {p:?}");
@@ -212,7 +214,7 @@ mod tests {
             let query = Query::new([0.5; 3], [0.5; 3], &body[..n]).expect("finite");
             let proof = of_center(&query);
             assert_eq!((proof.location.status(), proof.rung), (status, Rung::ZeroDisplacement), "{n}");
-            assert!(check_location(&query, &proof.location).is_right(), "{n}");
+            assert!(check_location(&query, &proof.location.written(&query)).is_right(), "{n}");
         }
     }
 

@@ -162,7 +162,7 @@ impl<'b> WarmTracker<'b> {
     fn fresh(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
         self.kept = None;
         if let Some(proof) = early::locate(query, tally) {
-            return Certificate::Written(proof.counted(tally));
+            return Certificate::Written(proof.counted(tally).written(query));
         }
         let optimum = solve(query, Goal::Location, tally);
         self.learn(query, &optimum);
@@ -212,7 +212,7 @@ impl<'b> WarmTracker<'b> {
     /// A direction that tells what is clear is kept as it is. Where the last one did not hold for long, the optimum,
     /// which leaves more room, is worth a search.
     fn cold(&mut self, query: &Query<'_, 3, Pose>, tally: &mut dyn Tally) -> Certificate {
-        let clear = early::locate(query, tally).map(|proof| proof.counted(tally));
+        let clear = early::locate(query, tally).map(|proof| proof.counted(tally).written(query));
         let has_failed = matches!(self.kept.take(), Some(Kept::Outside { .. })) && query.len() > WHOLE_LIMIT;
         match clear {
             Some(Location::Outside(Separation::Rounded(direction))) if !has_failed => {

@@ -61,7 +61,7 @@ pub use self::search_end::ACCURACY;
 use self::search_end::{VERTEX_LIMIT, is_settled, is_too_short};
 use super::Penetration;
 use crate::collision::Location;
-use crate::collision::by_lad::locate;
+use crate::collision::by_lad::decide;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
@@ -81,7 +81,7 @@ const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
-    match locate(query, tally) {
+    match decide(query, tally) {
         Location::Inside(_) => symmetric::depth(query, tally).unwrap_or_else(|| of_inner_point(query, tally)),
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
     }

@@ -13,7 +13,7 @@ use rand_pcg::Pcg64Mcg;
 /// The proof that a pair gives, checked exactly.
 fn proved(generators: &[[f64; 3]], p: [f64; 3], pair: [usize; 2]) -> Option<&'static str> {
     let query = Query::new([0.0; 3], p, generators).expect("finite");
-    let location = location_by_pair(&query, &bounded::exact(p), pair)?.location;
+    let location = location_by_pair(&query, &bounded::exact(p), pair)?.location.written(&query);
     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()), "{generators:?} {p:?} {pair:?}");
     Some(location.status().name())
 }
@@ -123,8 +123,9 @@ fn generators_that_are_nearly_of_the_facet_count_with_their_signs() {
 /// Asserts that the sums of a query along a direction are off by no more than they may be.
 fn check_sums(query: &dyn KernelQuery, u: &[f64; 3], magnitude: f64) {
     let n = query.len();
-    let mut signs = vec![0.0; n];
-    let sums = Sums::of(&query.parts(), u, &mut signs);
+    let (sums, mut signs) = (Sums::of(&query.parts(), u), vec![]);
+    sign_rule::write(&query.parts(), u, 1.0, &mut signs);
+    assert_eq!(signs.len(), n);
     let zero = || [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
     let (mut reach, mut sum, direction) = (Dyadic::zero(), zero(), exact(*u));
     let (mut sizes, mut length) = ([0.0; 3], 0.0);
@@ -133,7 +134,7 @@ fn check_sums(query: &dyn KernelQuery, u: &[f64; 3], magnitude: f64) {
         let along = exact_linear::dot(&v, &direction);
         let own = v.each_ref().map(|c| c.to_f64().abs());
         let terms = dot(&own, &u.map(f64::abs));
-        assert!(sign.abs() == 1.0);
+        assert!(sign.abs() == 1.0 && sign == sign_rule::sign(&query.parts(), u, i));
         assert!(along.to_f64().abs() < 1e-9 * terms || (sign > 0.0) == along.sign().is_gt(), "{i} {sign}");
         sum = exact_linear::sum(&sum, &exact_linear::multiple(&Dyadic::from_f64(sign), &v));
         reach = reach + along.abs();
@@ -260,8 +261,8 @@ fn below<T>(
     let product = cross(&body[pair[0]], &body[pair[1]]);
     let sign = f64::copysign(1.0, dot(&product, &p));
     let u = product.map(|c| sign * c);
-    let mut signs = vec![0.0; body.len()];
-    let sums = Sums::of(&vectors.parts, &u, &mut signs);
+    let (sums, mut signs) = (Sums::of(&vectors.parts, &u), vec![]);
+    sign_rule::write(&vectors.parts, &u, 1.0, &mut signs);
     let bounded = bounded::exact(p);
     let sizes = [0, 1, 2].map(|k| sums.sizes[k] + p[k].abs());
     let errors = SumErrors { p: &bounded, sizes, count: body.len() };
@@ -274,7 +275,7 @@ fn is_right(body: &[[f64; 3]], p: [f64; 3], proof: Option<Proof>) -> bool {
     let query = Query::new([0.0; 3], p, body).expect("finite");
     proof.is_some_and(|proof| {
         assert!(matches!(proof.location, Location::Inside(_)));
-        assert_eq!(check_location(&query, &proof.location).proof().map(drop), Ok(()), "{body:?} {p:?}");
+        assert_eq!(check_location(&query, &proof.location.written(&query)).proof().map(drop), Ok(()), "{body:?} {p:?}");
         true
     })
 }
@@ -285,12 +286,12 @@ fn the_two_of_a_facet_make_up_for_what_is_in_its_plane() {
     for (x, y) in [(0.0, 0.0), (0.75, -0.5), (-0.7, 0.9)] {
         for factor in [0.5, 0.9, 1.0 - 1e-9] {
             let p = [5.25 + x, y, 20.0].map(|c| factor * c);
-            let proof = below(&body, p, [0, 1], |facet, signs| facet.combined_by_pair(signs));
+            let proof = below(&body, p, [0, 1], |facet, _| facet.combined_by_pair());
             assert!(is_right(&body, p, proof), "{x} {y} {factor}");
         }
     }
     let beside = [5.25 + 1.5, 0.0, 20.0].map(|c| 0.9 * c);
-    assert!(below(&body, beside, [0, 1], |facet, signs| facet.combined_by_pair(signs)).is_none());
+    assert!(below(&body, beside, [0, 1], |facet, _| facet.combined_by_pair()).is_none());
 }
 
 /// The plane of the facet holds an axis or none of the axes, and the two of the pair are short.
