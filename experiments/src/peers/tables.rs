@@ -10,6 +10,8 @@ const TITLES: &[(&str, &str)] = &[
     ("by_lad", "ours: location, with its proof"),
     ("by_lad_gauge", "ours: exact gauge, with its proof"),
     ("by_lad_prepared", "ours: location, of prepared bodies"),
+    ("intersection", "ours: intersection of prepared bodies, its proof of constant size"),
+    ("intersection_written", "ours: the same, a coefficient of each generator written"),
     ("by_lad_gauge_prepared", "ours: exact gauge, of prepared bodies"),
     ("by_slope_selection", "Theorem 5.2 (slope selection)"),
     ("by_explicit_faces", "explicit faces"),

@@ -3,6 +3,7 @@
 use allocation_counter::measure;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use zonotope::Zonotope;
 use zonotope::collision::{Location, Query, Status, by_lad};
 
 /// Up to so many generators, a question writes its lists in memory that the thread keeps.
@@ -50,6 +51,18 @@ fn a_location_takes_memory_for_its_answer_alone() {
         // the coefficients and the basis of a member
         let most = if matches!(location, Location::Outside(_)) { 0 } else { 2 };
         assert!(taken <= most, "{} generators at {distance}: {taken}", query.len());
+    });
+}
+
+/// The coefficients of a member near the boundary are a rule of constant size until they are asked for.
+#[test]
+fn the_answer_of_a_body_takes_none_near_the_boundary() {
+    each_question(&[-1e-3, -1e-9, 1e-9, 1e-3, 1.0], |query, distance| {
+        let body = Zonotope::new(query.from(), query.generators().copied().collect()).expect("finite");
+        let (taken, located) = taken(|| body.locate(query.to()).expect("finite"));
+        assert_eq!(located.is_member(), distance < 0.0);
+        let is_written = located.is_member() && located.rule().is_none();
+        assert!(taken <= if is_written { 2 } else { 0 }, "{} generators at {distance}: {taken}", query.len());
     });
 }
 

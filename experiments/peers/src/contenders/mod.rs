@@ -40,6 +40,8 @@ pub static CONTENDERS: &[Contender] = &[
     ours::LOCATE,
     ours::GAUGE,
     ours::LOCATE_PREPARED,
+    ours::INTERSECTION,
+    ours::INTERSECTION_WRITTEN,
     ours::GAUGE_PREPARED,
     ours::SLOPE_SELECTION,
     ours::EXPLICIT_FACES,

@@ -62,6 +62,26 @@ pub const LOCATE_PREPARED: Contender = Contender {
     },
 };
 
+/// The public question about two bodies that were prepared beforehand, answered with a proof of constant size.
+pub const INTERSECTION: Contender = Contender {
+    id: "intersection",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.bodies().map(PreparedBody::new);
+        Some(Box::new(move || Answer::Member(black_box(bodies[0].intersection(&bodies[1])).is_member())))
+    },
+};
+
+/// The same question, and a coefficient of each generator written as a verifier takes it.
+pub const INTERSECTION_WRITTEN: Contender = Contender {
+    id: "intersection_written",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.bodies().map(PreparedBody::new);
+        Some(Box::new(move || Answer::Member(black_box(bodies[0].intersection(&bodies[1]).expand()).is_member())))
+    },
+};
+
 /// The exact gauge and location with its proof, by the kernel on two bodies that were prepared beforehand.
 pub const GAUGE_PREPARED: Contender = Contender {
     id: "by_lad_gauge_prepared",

@@ -4,7 +4,7 @@
 //! | step | tried | where it has no answer |
 //! |---|---|---|
 //! | [`early::locate`] | always; of bodies under poses, where the entries of the matrices are of moderate size | the next one |
-//! | [`location_by_pair`] | 3 to [`WHOLE_LIMIT`] generators, at their [`likely_vertex`] | the next one, from that vertex |
+//! | [`location_by_pair`] | 3 to [`LIKELY_LIMIT`] generators, at their [`likely_vertex`] | the next one, from that vertex |
 //! | [`from_optimum`] | the search for the optimum; at each vertex that it finds, [`location_by_pair`] may end it | always answers |
 //!
 //! A step is a function to a [`Proof`], which names the rung that proved it. A step that searches counts the rung of
@@ -14,17 +14,15 @@ use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
 use super::early;
+use super::likely_vertex::{LIKELY_LIMIT, likely_vertex};
 use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
 use crate::collision::proof::of_optimum;
 use crate::collision::{Location, Query};
-use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::ladder::WHOLE_LIMIT;
-use crate::lad::of_generators::plane::in_doubles::RoundedChart;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
-use crate::lad::of_generators::search::best_pair::{Found, PAIRS_LIMIT, steepest};
+use crate::lad::of_generators::search::best_pair::PAIRS_LIMIT;
 use crate::lad::of_generators::search_from;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::location::{Coefficients, Proof};
 use crate::zonotope::pose::Standing;
@@ -36,7 +34,7 @@ pub(super) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally
         return proof.counted(tally);
     }
     let (p, n) = (query.rounded_displacement(), query.len());
-    let vertex = if (3..=WHOLE_LIMIT).contains(&n) { likely_vertex(query, &p, tally) } else { None };
+    let vertex = if (3..=LIKELY_LIMIT).contains(&n) { likely_vertex(query, &p, tally) } else { None };
     if let Some(pair) = vertex {
         tally.add(Operation::GeneratorRead, n as u64);
         if let Some(proof) = location_by_pair(query, &p, pair) {
@@ -44,32 +42,8 @@ pub(super) fn locate<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally
             return proof.counted(tally);
         }
     }
-    from_optimum(query, vertex, tally).counted(tally)
-}
-
-/// The generators of a vertex that is likely to be the optimum, found in doubles and certified by nobody: that is
-/// enough where a proof is made from the vertex alone. `None` where doubles find no vertex. O(n) for each line that the
-/// descent takes, of which there are few.
-fn likely_vertex(query: &dyn KernelQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<[usize; 2]> {
-    let [first, second] = query.parts();
-    let n = query.len();
-    let p = [p[0].value, p[1].value, p[2].value];
-    if n <= PAIRS_LIMIT {
-        let mut vectors = [[0.0; 3]; PAIRS_LIMIT];
-        let (own, others) = vectors[..n].split_at_mut(first.rows.len());
-        first.write(own);
-        second.write(others);
-        let Found { pair, octets } = steepest(&vectors[..n], &p);
-        // each eight of pairs is tried with all generators
-        tally.add(Operation::GeneratorRead, n as u64 * octets as u64);
-        return Some(pair);
-    }
-    tally.add(Operation::GeneratorRead, n as u64);
-    let mut vectors = Reused::with_capacity(n);
-    first.copy(first.rows.list(), &mut vectors);
-    second.copy(second.rows.list(), &mut vectors);
-    let lines = RoundedChart::new(p).lines(&vectors);
-    descend(&lines, [0.0; 2], lines.approach([0.0; 2], None))
+    // a search that begins with a sample has cells, in which the vertex may not be
+    from_optimum(query, vertex.filter(|_| n <= WHOLE_LIMIT), tally).counted(tally)
 }
 
 /// The proof at a vertex of the search for the optimum, which begins at a vertex, if there is one, or else from the

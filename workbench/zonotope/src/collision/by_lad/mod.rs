@@ -53,6 +53,7 @@
 pub(super) mod early;
 mod facet;
 mod ladder;
+mod likely_vertex;
 mod scaled;
 
 pub use facet::Facet;

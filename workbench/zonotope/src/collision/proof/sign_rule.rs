@@ -9,6 +9,7 @@
 use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::lanes::number::product;
+use crate::numeric::lanes::octet::LANES;
 use crate::numeric::lanes::signed_factors;
 use crate::zonotope::location::{Coefficients, Location, SignRule, Witness};
 use crate::zonotope::pose::Standing;
@@ -34,7 +35,8 @@ pub(super) fn write(parts: &[Part<'_>; 2], u: &[f64; 3], factor: f64, list: &mut
 impl SignRule {
     /// The coefficients of all generators of the query that the rule is about. O(n).
     fn written(self, query: &dyn KernelQuery) -> Witness {
-        let mut coefficients = Vec::with_capacity(query.len());
+        // each part is written in whole octets
+        let mut coefficients = Vec::with_capacity(query.len() + 2 * LANES);
         write(&query.parts(), &self.direction, self.factor, &mut coefficients);
         Witness::with_basis(coefficients, self.basis, self.own)
     }

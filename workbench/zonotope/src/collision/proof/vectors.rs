@@ -21,6 +21,16 @@ pub(crate) struct Vectors<'a> {
     pub(crate) determinant_error: f64,
 }
 
+/// Three coefficients as quotients.
+struct Solved {
+    numerators: [f64; 3],
+    /// Bounds of the errors of the numerators.
+    errors: [f64; 3],
+    determinant: f64,
+    /// The least magnitude that the determinant may have.
+    least: f64,
+}
+
 /// A generator in doubles.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Vector {
@@ -79,6 +89,24 @@ impl<'a> Vectors<'a> {
         rest: &[f64; 3],
         errors: &[f64; 3],
     ) -> Option<[Option<f64>; 3]> {
+        let solved = self.solved(basis, rest, errors)?;
+        // false for NaN as well
+        let is_within = |k: usize| (solved.numerators[k].abs() + solved.errors[k]) * THIRTY_ROUNDINGS < solved.least;
+        let coefficient = |k: usize| is_within(k).then(|| solved.numerators[k] / solved.determinant);
+        Some([coefficient(0), coefficient(1), coefficient(2)])
+    }
+
+    /// Whether one of the first two of these coefficients is certainly beyond [−1, 1].
+    pub(crate) fn are_beyond(&self, basis: [usize; 3], rest: &[f64; 3], errors: &[f64; 3]) -> bool {
+        self.solved(basis, rest, errors).is_some_and(|solved| {
+            let most = solved.determinant.abs() + (solved.determinant.abs() - solved.least);
+            (0..2).any(|k| solved.numerators[k].abs() - solved.errors[k] > most * THIRTY_ROUNDINGS)
+        })
+    }
+
+    /// The solution by Cramer's rule; `None` if the three may be dependent.
+    #[inline]
+    fn solved(&self, basis: [usize; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Option<Solved> {
         let [a, b, c] = &basis.map(|i| self.vector(i));
         let normals = cyclic_cross_products(&a.value, &b.value, &c.value);
         let areas = [cross_terms(b, c), cross_terms(c, a), cross_terms(a, b)];
@@ -91,13 +119,12 @@ impl<'a> Vectors<'a> {
         }
         // each term of the product of the rest with a normal goes through seven roundings, and images bring eight more
         let off = [0, 1, 2].map(|k| errors[k] + 16.0 * UNIT * rest[k].abs());
-        let coefficient = |k: usize| {
-            let numerator = dot(rest, &normals[k]);
-            let error = dot(&off, &areas[k]) * LONG_SUM + PRODUCT_UNDERFLOW;
-            let is_within = (numerator.abs() + error) * THIRTY_ROUNDINGS < least;
-            is_within.then_some(numerator / determinant)
-        };
-        Some([coefficient(0), coefficient(1), coefficient(2)])
+        Some(Solved {
+            numerators: [0, 1, 2].map(|k| dot(rest, &normals[k])),
+            errors: [0, 1, 2].map(|k| dot(&off, &areas[k]) * LONG_SUM + PRODUCT_UNDERFLOW),
+            determinant,
+            least,
+        })
     }
 }
 
@@ -166,6 +193,19 @@ mod tests {
     fn given(basis: &[[f64; 3]; 3], rest: [f64; 3], errors: [f64; 3]) -> Option<[Option<f64>; 3]> {
         let query = Query::new([0.0; 3], [0.0; 3], basis).expect("finite");
         Vectors::of(&query).expect("it has no matrix").coefficients([0, 1, 2], &rest, &errors)
+    }
+
+    #[test]
+    fn a_coefficient_of_the_first_two_is_certainly_beyond_one() {
+        let axes = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let query = Query::new([0.0; 3], [0.0; 3], &axes).expect("finite");
+        let vectors = Vectors::of(&query).expect("it has no matrix");
+        let are_beyond = |rest, error| vectors.are_beyond([0, 1, 2], &rest, &[error; 3]);
+        assert!(are_beyond([2.1, 0.0, 0.0], 0.0) && are_beyond([0.0, -1.1, 0.0], 0.0));
+        assert!(!are_beyond([2.0, -1.0, 0.0], 0.0) && !are_beyond([1.9, 0.9, 5.0], 0.0));
+        // what is in doubt is not certain, nor is anything of dependent vectors
+        assert!(!are_beyond([2.1, 0.0, 0.0], 0.2) && are_beyond([2.1, 0.0, 0.0], 0.01));
+        assert!(!vectors.are_beyond([0, 1, 1], &[9.0; 3], &[0.0; 3]) && !are_beyond([f64::NAN; 3], 0.0));
     }
 
     fn combined(basis: &[[f64; 3]; 3], coefficients: [f64; 3]) -> [f64; 3] {

@@ -16,6 +16,7 @@ use super::in_pairs::location_in_pairs;
 use crate::collision::proof::sign_rule;
 use crate::collision::proof::vectors::{SumErrors, Vectors, first_of_largest, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::guess::near_rows::NearRows;
 use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
@@ -23,7 +24,7 @@ use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::linear::{cross, dot, max_norm, sum_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::tally::Rung;
@@ -32,6 +33,9 @@ use crate::zonotope::location::{Coefficients, Proof, SignRule, Witness};
 /// The number of generators that are looked at for the third of a basis where the two of the facet make up for
 /// everything in its plane.
 const THIRD_CANDIDATES: usize = 8;
+
+/// Generators shorter than this part of the mean length are short.
+const SHORT_PAIR: f64 = 0.125;
 
 /// The number of roundings by which the gauge of a point on the boundary may seem to differ from 1.
 const LIKELY_CONTACT: f64 = 8.0;
@@ -164,8 +168,11 @@ pub(crate) fn location_by_pair(query: &dyn KernelQuery, p: &BoundedVector, pair:
     let is_below = (reach - along).is_positive();
     let errors = SumErrors { p, sizes: [0, 1, 2].map(|k| sums.sizes[k] + own[k].abs()), count: n };
     let facet = Facet { vectors: &vectors, p: own, pair, u, sum: sums.sum, factor, errors: &errors };
-    if is_below && let Some(proof) = facet.combined_by_pair() {
-        return Some(proof);
+    if is_below {
+        let proof = facet.combined_by_pair();
+        if proof.is_some() || facet.is_elsewhere(query) {
+            return proof;
+        }
     }
     let mut signs = Reused::with_capacity(n);
     sign_rule::write(&vectors.parts, &u, 1.0, &mut signs);
@@ -205,6 +212,22 @@ impl Facet<'_> {
         let own = self.own(third, left, &self.errors.after(0))?;
         let rule = SignRule { direction: self.u, factor: self.factor, basis: [a, b, third], own };
         Some(Proof::inside(Coefficients::BySigns(rule), Rung::RoundedCoefficients))
+    }
+
+    /// Whether the ray certainly leaves the body through another facet: no other generator is in the plane of the two,
+    /// and they cannot make up for what is in it. Two short generators say nothing, as three long ones may make up for
+    /// them.
+    fn is_elsewhere(&self, query: &dyn KernelQuery) -> bool {
+        let least = SHORT_PAIR * sum_norm(&self.errors.sizes) / self.vectors.len() as f64;
+        if self.pair.iter().any(|&i| sum_norm(&self.vectors.value(i)) < least) {
+            return false;
+        }
+        let Some(third) = self.third(THIRD_CANDIDATES) else { return false };
+        let [a, b] = self.pair;
+        let left = self.without([a, b, third].into_iter(), |i| sign_rule::sign(&self.vectors.parts, &self.u, i));
+        let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
+        self.vectors.are_beyond([a, b, third], &rest, &self.errors.after(0))
+            && NearRows::of(query, &self.u, 2.0 * FACET_ROUNDING * max_norm(&self.u)).indices.len() <= self.pair.len()
     }
 
     /// The proof in which all generators of the facet share what is to be made up for in its plane.

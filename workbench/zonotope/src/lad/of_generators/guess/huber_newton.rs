@@ -54,6 +54,16 @@ const THINNEST_APPROACH: f64 = 8.0;
 /// the band over the root of their number.
 const BAND_OF_DEVIATIONS: f64 = 2.0;
 
+/// The end of a few Newton steps.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Approach {
+    pub(crate) point: [f64; 2],
+    /// The distance within which the minimum is likely to be, in terms of the length of a generator.
+    pub(crate) band: f64,
+    /// The standard deviation of the distance of the minimum of all lines of which these are a sample.
+    pub(crate) deviation: f64,
+}
+
 /// A symmetric matrix [[xx, xy], [xy, yy]].
 pub(crate) type Symmetric = [f64; 3];
 
@@ -93,14 +103,15 @@ impl RoundedLines {
         self.by_newton(linear, point, band, aim)
     }
 
-    /// A point near the minimum of linear · x + Σ |a x + b y + c| among a few lines, without a bound of how near: a
-    /// Newton step for each of some thinner and thinner bands.
+    /// A point near the minimum of linear · x + Σ |a x + b y + c|, without a bound of how near: a Newton step for each
+    /// of some thinner and thinner bands, from a point and a first band, if they are known. `None` where all lines are
+    /// parallel.
     ///
     /// A descent from there crosses a few lines, and to cross a line among a hundred takes less than to make sure of
     /// a better guess.
-    pub(crate) fn approach(&self, linear: [f64; 2], start: Option<&Guess>) -> [f64; 2] {
-        let start = start.map(|guess| (guess.point, guess.band)).or_else(|| self.least_squares());
-        let Some((mut point, mut band)) = start else { return [0.0; 2] };
+    pub(crate) fn approach(&self, linear: [f64; 2], start: Option<([f64; 2], f64)>) -> Option<Approach> {
+        let (mut point, mut band) = start.or_else(|| self.least_squares())?;
+        let mut deviation = band;
         for _ in 0..APPROACH_STEPS {
             let moments = self.moments(point, band);
             if moments.count < THINNEST_APPROACH {
@@ -109,9 +120,10 @@ impl RoundedLines {
             let gradient = [moments.gradient[0] + linear[0], moments.gradient[1] + linear[1]];
             let Some(newton) = solve(&moments.hessian, gradient) else { break };
             point = [point[0] - newton[0], point[1] - newton[1]];
+            deviation = band * (self.len() as f64 / 3.0).sqrt() / moments.count;
             band *= (BAND_OF_DEVIATIONS / moments.count.sqrt()).min(0.5);
         }
-        point
+        Some(Approach { point, band, deviation })
     }
 
     /// The optimal vertex by descent from vertex to vertex: of a part of the lines first where they are many, then of

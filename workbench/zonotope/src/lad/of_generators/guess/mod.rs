@@ -8,6 +8,8 @@
 //! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks, and the sums that these take |
 //! | [`parallel_classes`] | the sums of the generators of each of few directions |
 //! | [`vertex_descent`] | the vertex at which descent ends, along one line after the other, in doubles |
+//! | [`near_lines`] | the lines near a point, with the gradient of all others: a descent among few of many lines |
+//! | [`near_rows`] | the generators near a direction, with the sum of all others, in one pass |
 //! | [`crossings`] | the weighted median of the places at which lines are crossed |
 //! | [`facet_coefficients`] | the coefficients of many generators of one facet, by such a median |
 
@@ -15,6 +17,8 @@ pub(crate) mod aim;
 pub(crate) mod crossings;
 pub(crate) mod facet_coefficients;
 pub(crate) mod huber_newton;
+pub(crate) mod near_lines;
+pub(crate) mod near_rows;
 pub(crate) mod parallel_classes;
 pub(crate) mod sample;
 pub(crate) mod vertex_descent;

@@ -295,6 +295,23 @@ impl RoundedLines {
         Self { len: LANES * blocks.len(), blocks, length: self.length / share as f64 }
     }
 
+    /// Some of the lines, by their rows.
+    pub(crate) fn picked(&self, rows: &[usize]) -> Self {
+        let mut lines = Self::with_capacity(rows.len());
+        lines.rewrite(rows.len(), |blocks| {
+            let mut length = 0.0;
+            for (place, &row) in rows.iter().enumerate() {
+                let line = self.line(row);
+                for (column, c) in blocks[place / LANES].0.iter_mut().zip(line) {
+                    column[slot(place) % LANES] = c;
+                }
+                length += 1.0 / line[3];
+            }
+            length
+        });
+        lines
+    }
+
     /// The lines with a width for each in the place of its generator's length: a line is in a band of 1 where its
     /// product with a point is below its width.
     pub(crate) fn with_widths(mut self, widths: &[f64]) -> Self {

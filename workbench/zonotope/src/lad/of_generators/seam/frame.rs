@@ -96,6 +96,12 @@ impl<'a> Frame<'a> {
         [a[0] * x + b[0] * y + c[0] * z, a[1] * x + b[1] * y + c[1] * z, a[2] * x + b[2] * y + c[2] * z]
     }
 
+    /// At least the sum of the magnitudes of the entries of M.
+    #[inline]
+    pub(crate) fn magnitude(&self) -> f64 {
+        self.pose.magnitude()
+    }
+
     /// No coordinate of the rounded Mᵀ u is off by more than 4 u times this number.
     #[inline]
     pub(crate) fn pulled_size(&self, u: &[f64; 3]) -> f64 {

@@ -104,7 +104,10 @@ pub(crate) fn narrow_last(
     let last = levels.last().expect("there is always the first");
     let mut point = match problem.vertex {
         Some(vertex) => met(&lines, vertex).unwrap_or_default(),
-        None => lines.approach(last.linear(chart), guess.as_ref()),
+        None => {
+            let start = guess.map(|guess| (guess.point, guess.band));
+            lines.approach(last.linear(chart), start).map_or([0.0; 2], |end| end.point)
+        }
     };
     let mut is_found = false;
     if lines.len() > most_lines {
