@@ -5,7 +5,7 @@ use crate::collision::Query;
 use crate::zonotope::location::{Coefficients, Location, Separation, SignRule, Status};
 use crate::zonotope::pose::{AtRest, Standing};
 
-/// Where a displacement lies relative to the bodies that it was asked about, with a proof that was not written out.
+/// The place of a displacement relative to the bodies that it was asked about, with a proof that was not written out.
 ///
 /// Most callers want the status and perhaps a direction: a separating one, or that of the nearest facet. Near the
 /// boundary, where a proof of a member is a [`SignRule`], the answer has constant size. [`expand`](Self::expand) has
