@@ -57,7 +57,7 @@
 //! # let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?;
 //! let located = square.locate([3.0, 0.5])?;
 //! let Some(Separation::Rounded(u)) = located.separation() else { panic!("the point is outside") };
-//! assert!(u[0] * 3.0 + u[1] * 0.5 > square.support(u).value());
+//! assert!(u[0] * 3.0 + u[1] * 0.5 > square.support(*u).value());
 //! # Ok(()) }
 //! ```
 //!
