@@ -9,7 +9,7 @@ use crate::tally::{Rung, Tally};
 use crate::zonotope::pose::Standing;
 use crate::zonotope::query::Query;
 
-/// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D, with the proof M of a
+/// The place of a displacement p relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D, with the proof M of a
 /// member.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Location<const D: usize, M = Witness> {
