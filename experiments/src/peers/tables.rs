@@ -5,22 +5,33 @@ use crate::question::PLACEMENTS;
 use families::bodies;
 use std::collections::BTreeSet;
 
-/// The name for people of a contender.
+/// The names for people of the contenders that say whether two bodies meet.
 const TITLES: &[(&str, &str)] = &[
-    ("by_lad", "ours: location, with its proof"),
-    ("by_lad_gauge", "ours: exact gauge, with its proof"),
-    ("by_lad_prepared", "ours: location, of prepared bodies"),
-    ("intersection", "ours: intersection of prepared bodies, its proof of constant size"),
+    ("intersection", "ours: intersection of prepared bodies, with a proof of constant size"),
     ("intersection_written", "ours: the same, a coefficient of each generator written"),
-    ("by_lad_gauge_prepared", "ours: exact gauge, of prepared bodies"),
+    ("intersection_posed", "ours: of prepared bodies under poses"),
+    ("intersection_of_rows", "ours: of bodies that were not prepared"),
+    ("by_lad", "ours: the kernel on rows of generators"),
+    ("gauge", "ours: exact gauge of a prepared body, with its proof"),
+    ("by_lad_gauge", "ours: exact gauge, the kernel on rows of generators"),
     ("by_slope_selection", "Theorem 5.2 (slope selection)"),
     ("by_explicit_faces", "explicit faces"),
     ("by_gjk", "our GJK (rounded, shows its failures)"),
     ("parry_gjk", "parry3d-f64: GJK on a support map"),
+    ("parry_gjk_posed", "parry3d-f64: GJK on bodies under poses"),
     ("parry_f32_gjk", "parry3d (single precision): GJK on a support map"),
     ("parry_polyhedron", "parry3d-f64: GJK on explicit polyhedra, made before"),
     ("clarabel", "clarabel: feasibility"),
     ("microlp", "microlp: feasibility"),
+];
+
+/// The names for people of the contenders that measure how far apart two bodies are, or how deep they overlap.
+const MEASURES: &[(&str, &str)] = &[
+    ("distance", "ours: distance within two units in the last place"),
+    ("proximity", "ours: distance with points, faces and coefficients"),
+    ("parry_distance", "parry3d-f64: distance by GJK"),
+    ("penetration", "ours: penetration depth, proved within a hundredth"),
+    ("parry_epa", "parry3d-f64: penetration depth by EPA"),
 ];
 
 /// The sizes of the tables for people; the record has more.
@@ -47,12 +58,19 @@ impl Table {
     }
 }
 
-/// Every table of the record: time near contact and when clear, wrong answers, how far ours is ahead, the gauge family
-/// by family, the line fit.
+/// Every table of the record: time near contact, by gap, and when clear, distance and depth, wrong answers, how far
+/// ours is ahead, the gauge family by family, the line fit.
 pub fn tables(record: &PeersRecord) -> Vec<Table> {
+    let yes_or_no = |what, placements| times(record, what, placements, TITLES);
+    let measures = |what, placements| times(record, what, placements, MEASURES);
     vec![
         near_contact(record),
-        times(record, "Clearly overlapping or separated, in passes", &["overlapping", "separated"]),
+        yes_or_no("Near contact (relative gap 1e-6, both sides)", GAPS_OF_1E_6),
+        yes_or_no("Near contact (relative gap 1e-3, both sides)", GAPS_OF_1E_3),
+        yes_or_no("Touching", TOUCHING),
+        yes_or_no("Clearly overlapping or separated", &["overlapping", "separated"]),
+        measures("Distance and penetration depth, clearly overlapping or separated", &["overlapping", "separated"]),
+        measures("Distance and penetration depth near contact (relative gap 1e-9)", GAPS_OF_1E_9),
         wrong_answers(record),
         lead(record, &RACES),
         gauge_by_family(record),
@@ -100,10 +118,10 @@ fn is_known(row: &[String]) -> bool {
 }
 
 fn near_contact(record: &PeersRecord) -> Table {
-    times(record, "Near contact (relative gap 1e-9, both sides), in passes", GAPS_OF_1E_9)
+    times(record, "Near contact (relative gap 1e-9, both sides)", GAPS_OF_1E_9, TITLES)
 }
 
-fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
+fn times(record: &PeersRecord, what: &str, placements: &[&str], contenders: &[(&str, &str)]) -> Table {
     // Six generators are two boxes; from there on random bodies are the reference.
     let family = |n: usize| if n == SIZES[0] { "box_sums" } else { "random_bodies" };
     let chosen = |n: usize| {
@@ -122,9 +140,9 @@ fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
     let pass = ("pass", "one pass");
     let head = SIZES.iter().map(|&n| if n == SIZES[0] { "n = 6 (two boxes)".to_owned() } else { size_name(n) });
     Table {
-        caption: format!("{what} (and in time): medians over random bodies; a dash: not run."),
+        caption: format!("{what}, in passes (and in time): medians over random bodies; a dash: not run."),
         head: ["method".to_owned()].into_iter().chain(head).collect(),
-        rows: [&pass].into_iter().chain(TITLES).map(row).filter(|row| is_known(row)).collect(),
+        rows: [&pass].into_iter().chain(contenders).map(row).filter(|row| is_known(row)).collect(),
     }
 }
 
@@ -157,104 +175,108 @@ fn wrong_answers(record: &PeersRecord) -> Table {
         caption: "Wrong answers among all questions asked; the truth is known from each question's construction."
             .to_owned(),
         head: ["method"].into_iter().chain(groups.map(|(name, _)| name)).map(str::to_owned).collect(),
-        rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
+        rows: TITLES.iter().chain(MEASURES).map(row).filter(|row| is_known(row)).collect(),
     }
 }
 
-/// A method of others beside our location on some questions.
+/// A method of others beside ours on some questions.
 struct Race {
     title: &'static str,
-    method: &'static str,
+    /// The contender of ours, and that of others.
+    between: [&'static str; 2],
     placements: &'static [&'static str],
     /// Of this family; of all families if there is none.
     family: Option<&'static str>,
-    /// The contender that it runs against.
-    ours: &'static str,
 }
 
 const GAPS_OF_1E_9: &[&str] = &["inside_1e-9", "outside_1e-9"];
-const RANDOM: Option<&str> = Some("random_bodies");
+const GAPS_OF_1E_6: &[&str] = &["inside_1e-6", "outside_1e-6"];
+const GAPS_OF_1E_3: &[&str] = &["inside_1e-3", "outside_1e-3"];
+const TOUCHING: &[&str] = &["touching"];
+const OVERLAPPING: &[&str] = &["overlapping"];
+const SEPARATED: &[&str] = &["separated"];
 
-/// Our location of prepared bodies against a method of others.
-const fn prepared(
-    title: &'static str,
-    method: &'static str,
-    placements: &'static [&'static str],
-    family: Option<&'static str>,
-) -> Race {
-    Race { title, method, placements, family, ours: "by_lad_prepared" }
+/// A race on random bodies.
+const fn random(title: &'static str, between: [&'static str; 2], placements: &'static [&'static str]) -> Race {
+    Race { title, between, placements, family: Some("random_bodies") }
 }
 
-/// The races of the report.
-const RACES: [Race; 7] = [
-    Race {
-        ours: "by_lad",
-        ..prepared(
-            "parry's GJK, random bodies near contact, ours on rows as they come",
-            "parry_gjk",
-            GAPS_OF_1E_9,
-            RANDOM,
-        )
-    },
-    prepared("parry's GJK, random bodies near contact", "parry_gjk", GAPS_OF_1E_9, RANDOM),
-    prepared("parry's GJK, random bodies overlapping", "parry_gjk", &["overlapping"], RANDOM),
-    prepared("parry's GJK, random bodies separated", "parry_gjk", &["separated"], RANDOM),
-    prepared("parry's GJK, all families overlapping", "parry_gjk", &["overlapping"], None),
-    prepared("parry's GJK, all families separated", "parry_gjk", &["separated"], None),
-    Race {
-        title: "Theorem 5.2, random bodies near contact",
-        method: "by_slope_selection",
-        placements: GAPS_OF_1E_9,
-        family: RANDOM,
-        ours: "by_lad",
-    },
+/// A race on the bodies of every family.
+const fn every(title: &'static str, between: [&'static str; 2], placements: &'static [&'static str]) -> Race {
+    Race { title, between, placements, family: None }
+}
+
+const PREPARED: [&str; 2] = ["intersection", "parry_gjk"];
+const ROWS: [&str; 2] = ["intersection_of_rows", "parry_gjk"];
+const POSED: [&str; 2] = ["intersection_posed", "parry_gjk_posed"];
+const SINGLE: [&str; 2] = ["intersection", "parry_f32_gjk"];
+const DISTANCE: [&str; 2] = ["distance", "parry_distance"];
+const DEPTH: [&str; 2] = ["penetration", "parry_epa"];
+
+/// The races: all of them in the report, those before [`OF_THE_REPORT_ALONE`] in README.
+const RACES: [Race; 24] = [
+    random("random bodies near contact (1e-9)", PREPARED, GAPS_OF_1E_9),
+    random("random bodies, gap 1e-6", PREPARED, GAPS_OF_1E_6),
+    random("random bodies, gap 1e-3", PREPARED, GAPS_OF_1E_3),
+    random("random bodies touching", PREPARED, TOUCHING),
+    random("random bodies overlapping", PREPARED, OVERLAPPING),
+    random("random bodies separated", PREPARED, SEPARATED),
+    every("all families near contact (1e-9)", PREPARED, GAPS_OF_1E_9),
+    every("all families overlapping", PREPARED, OVERLAPPING),
+    every("all families separated", PREPARED, SEPARATED),
+    random("near contact, every coefficient written", ["intersection_written", "parry_gjk"], GAPS_OF_1E_9),
+    random("under poses, near contact (1e-9)", POSED, GAPS_OF_1E_9),
+    random("under poses, overlapping", POSED, OVERLAPPING),
+    random("under poses, separated", POSED, SEPARATED),
+    random("not prepared, near contact (1e-9)", ROWS, GAPS_OF_1E_9),
+    random("not prepared, overlapping", ROWS, OVERLAPPING),
+    random("not prepared, separated", ROWS, SEPARATED),
+    random("parry's in single precision, near contact (1e-9)", SINGLE, GAPS_OF_1E_9),
+    random("parry's in single precision, overlapping", SINGLE, OVERLAPPING),
+    random("parry's in single precision, separated", SINGLE, SEPARATED),
+    random("distance, separated", DISTANCE, SEPARATED),
+    random("distance, near contact (1e-9)", DISTANCE, &["outside_1e-9"]),
+    random("penetration depth, overlapping", DEPTH, OVERLAPPING),
+    random("penetration depth, near contact (1e-9)", DEPTH, &["inside_1e-9"]),
+    random("Theorem 5.2 in the place of parry's, near contact", ["by_lad", "by_slope_selection"], GAPS_OF_1E_9),
 ];
 
-/// The races of README: those that ours win and those that they lose.
-const RACES_OF_README: [Race; 10] = [
-    prepared("random bodies near contact", "parry_gjk", GAPS_OF_1E_9, RANDOM),
-    prepared("random bodies overlapping", "parry_gjk", &["overlapping"], RANDOM),
-    prepared("random bodies separated", "parry_gjk", &["separated"], RANDOM),
-    prepared("random bodies touching", "parry_gjk", &["touching"], RANDOM),
-    prepared("all families near contact", "parry_gjk", GAPS_OF_1E_9, None),
-    prepared("all families overlapping", "parry_gjk", &["overlapping"], None),
-    prepared("all families separated", "parry_gjk", &["separated"], None),
-    prepared("random bodies near contact, parry's in single precision", "parry_f32_gjk", GAPS_OF_1E_9, RANDOM),
-    prepared("random bodies overlapping, parry's in single precision", "parry_f32_gjk", &["overlapping"], RANDOM),
-    prepared("random bodies separated, parry's in single precision", "parry_f32_gjk", &["separated"], RANDOM),
-];
+/// The number of the first race that README does not have.
+const OF_THE_REPORT_ALONE: usize = 23;
 
-/// The tables of README: near contact, the lead over parry's GJK, wrong answers.
+/// The tables of README: near contact, the lead over parry, wrong answers.
 pub fn tables_of_readme(record: &PeersRecord) -> [Table; 3] {
-    let lead = Table {
-        caption:
-            "The time of parry's GJK over that of our location with its proof, of prepared bodies: median (least)."
-                .to_owned(),
-        ..lead(record, &RACES_OF_README)
-    };
-    [near_contact(record), lead, wrong_answers(record)]
+    [near_contact(record), lead(record, &RACES[..OF_THE_REPORT_ALONE]), wrong_answers(record)]
 }
 
-/// The number of times that our location's time goes into that of others.
+/// The number of times that our time goes into that of others, the race with the least median first.
 fn lead(record: &PeersRecord, races: &[Race]) -> Table {
     let sizes: BTreeSet<usize> = record.cells.iter().map(|cell| cell.n).collect();
-    let row = |race: &Race| {
-        let cells = sizes.iter().map(|&n| {
-            let of_size = record.cells.iter().filter(|cell| cell.n == n);
-            let chosen = of_size.filter(|cell| {
-                race.placements.contains(&cell.placement.as_str())
-                    && race.family.is_none_or(|family| cell.family == family)
-            });
-            middle_and(&chosen.flat_map(|cell| cell.ratios(race.method, race.ours)).collect::<Vec<_>>(), f64::min)
+    let ratios = |race: &Race, n: usize| {
+        let [ours, other] = race.between;
+        let of_size = record.cells.iter().filter(|cell| cell.n == n);
+        let chosen = of_size.filter(|cell| {
+            race.placements.contains(&cell.placement.as_str()) && race.family.is_none_or(|family| cell.family == family)
         });
+        chosen.flat_map(|cell| cell.ratios(other, ours)).collect::<Vec<_>>()
+    };
+    let least = |race: &Race| {
+        let medians = sizes.iter().filter_map(|&n| median(&ratios(race, n)));
+        medians.fold(f64::INFINITY, f64::min)
+    };
+    let mut races: Vec<(f64, &Race)> = races.iter().map(|race| (least(race), race)).collect();
+    races.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let row = |race: &Race| {
+        let cells = sizes.iter().map(|&n| middle_and(&ratios(race, n), f64::min));
         [race.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
     Table {
-        caption: "How often the time of our location with its proof goes into that of others, of bodies that were \
-                  prepared for both: median (least) over questions; below 1 the other is faster."
+        caption: "How often the time of our public call goes into that of parry's, of bodies that were prepared for \
+                  both: median (least) over questions; below 1 the other is faster. The rows begin with the least \
+                  median."
             .to_owned(),
         head: ["method"].into_iter().map(str::to_owned).chain(sizes.iter().map(|&n| size_name(n))).collect(),
-        rows: races.iter().map(row).filter(|row| is_known(row)).collect(),
+        rows: races.iter().map(|(_, race)| row(race)).filter(|row| is_known(row)).collect(),
     }
 }
 
@@ -263,10 +285,7 @@ fn gauge_by_family(record: &PeersRecord) -> Table {
     let row = |family: &bodies::BodyFamily<3>| {
         let cells = sizes.iter().map(|&n| {
             let chosen = record.cells.iter().filter(|cell| cell.n == n && cell.family == family.id);
-            middle_and(
-                &chosen.flat_map(|cell| cell.ratios("by_lad_gauge_prepared", "pass")).collect::<Vec<_>>(),
-                f64::max,
-            )
+            middle_and(&chosen.flat_map(|cell| cell.ratios("gauge", "pass")).collect::<Vec<_>>(), f64::max)
         });
         [family.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };

@@ -20,12 +20,16 @@ pub use placement::{PLACEMENTS, Placement};
 use crate::seed;
 use facet::Facet;
 use families::source::RandomSource;
+use zonotope::Pose;
 use zonotope::collision::Query;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::Zonotope;
 
 /// The number of facets that are tried before a placement is given up for a body.
 const FACET_LIMIT: usize = 24;
+
+/// Quaternions [w, x, y, z] of turns that permute the axes and change signs: they round no coordinate.
+pub const TURNS: [[f64; 4]; 2] = [[0.5, 0.5, 0.5, 0.5], [0.5, -0.5, 0.5, 0.5]];
 
 /// The place of the displacement `to` − `from` relative to the zonotope of the generators, with the truth.
 #[derive(Clone, Debug)]
@@ -81,6 +85,28 @@ impl Question {
         [(self.from, first), (self.to, second)].map(|(center, generators)| {
             Zonotope::new(center, generators.to_vec()).expect("generated coordinates are finite")
         })
+    }
+
+    /// The same two bodies, each around the origin of a frame of its own, and where it stands: under one of [`TURNS`].
+    pub fn turned(&self) -> [(Zonotope<3>, Pose); 2] {
+        let [a, b] = self.bodies();
+        [(a, TURNS[0]), (b, TURNS[1])].map(|(body, turn)| {
+            let pose = Pose::from_quaternion(turn, body.center()).expect("generated coordinates are finite");
+            let rows = pose.matrix();
+            let local = |g: &[f64; 3]| [0, 1, 2].map(|j| rows[0][j] * g[0] + rows[1][j] * g[1] + rows[2][j] * g[2]);
+            let generators = body.generators().iter().map(local).collect();
+            (Zonotope::new([0.0; 3], generators).expect("generated coordinates are finite"), pose)
+        })
+    }
+
+    /// Whether the displacement lies outside, so that the two bodies are a distance apart.
+    pub fn are_disjoint(&self) -> bool {
+        self.status == "outside"
+    }
+
+    /// Whether the displacement lies inside, so that the two bodies have inner points in common.
+    pub fn overlap(&self) -> bool {
+        self.status == "inside"
     }
 
     /// Whether the displacement lies in the closed body.

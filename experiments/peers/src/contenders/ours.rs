@@ -4,7 +4,7 @@ use super::{Answer, Contender, Work};
 use experiments::question::Question;
 use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
-use zonotope::collision::{Method, Query, by_lad};
+use zonotope::collision::Method;
 use zonotope::zonotope::{PreparedBody, Zonotope};
 
 /// One evaluation of the support function in doubles over the question's generators, which are laid out for it
@@ -46,22 +46,6 @@ pub const GAUGE: Contender = Contender {
     },
 };
 
-/// The question to two bodies that were prepared beforehand.
-fn between(bodies: &[PreparedBody; 2]) -> Query<'_, 3> {
-    let [a, b] = bodies;
-    Query::of_placed(a.placed(), b.placed())
-}
-
-/// Location with its proof, by the kernel on two bodies that were prepared beforehand.
-pub const LOCATE_PREPARED: Contender = Contender {
-    id: "by_lad_prepared",
-    largest: usize::MAX,
-    prepare: |question| {
-        let bodies = question.bodies().map(PreparedBody::new);
-        Some(Box::new(move || Answer::Member(by_lad::locate(&between(&bodies), &mut ()).is_member())))
-    },
-};
-
 /// The public question about two bodies that were prepared beforehand, answered with a proof of constant size.
 pub const INTERSECTION: Contender = Contender {
     id: "intersection",
@@ -82,13 +66,79 @@ pub const INTERSECTION_WRITTEN: Contender = Contender {
     },
 };
 
-/// The exact gauge and location with its proof, by the kernel on two bodies that were prepared beforehand.
-pub const GAUGE_PREPARED: Contender = Contender {
-    id: "by_lad_gauge_prepared",
+/// The same question about bodies that were not prepared: their generators are rows, as they come.
+pub const INTERSECTION_OF_ROWS: Contender = Contender {
+    id: "intersection_of_rows",
     largest: usize::MAX,
     prepare: |question| {
-        let bodies = question.bodies().map(PreparedBody::new);
-        Some(Box::new(move || Answer::Member(by_lad::gauge(&between(&bodies), &mut ()).location.is_member())))
+        let [a, b] = question.bodies();
+        Some(Box::new(move || Answer::Member(black_box(a.intersection(&b)).is_member())))
+    },
+};
+
+/// The same question about prepared bodies that stand under poses.
+pub const INTERSECTION_POSED: Contender = Contender {
+    id: "intersection_posed",
+    largest: usize::MAX,
+    prepare: |question| {
+        let [a, b] = question.turned().map(|(body, pose)| (PreparedBody::new(body), pose));
+        Some(Box::new(move || {
+            let [a, b] = [&a, &b].map(|(body, pose)| body.placed().at(pose));
+            Answer::Member(black_box(a.intersection(b)).is_member())
+        }))
+    },
+};
+
+/// The public exact gauge with its proof, of a body that was prepared beforehand.
+pub const GAUGE_PREPARED: Contender = Contender {
+    id: "gauge",
+    largest: usize::MAX,
+    prepare: |question| {
+        let body = Zonotope::new(question.from, question.generators.clone()).expect("the body was valid");
+        let (body, point) = (PreparedBody::new(body), question.to);
+        Some(Box::new(move || match black_box(&body).gauge(black_box(point)) {
+            Ok(gauge) => Answer::Member(black_box(gauge).location.is_member()),
+            Err(_) => Answer::Failed,
+        }))
+    },
+};
+
+/// The public distance of two disjoint bodies that were prepared beforehand, within two units in the last place.
+pub const DISTANCE: Contender = Contender {
+    id: "distance",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.are_disjoint().then(|| question.bodies().map(PreparedBody::new))?;
+        Some(Box::new(move || {
+            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
+            Answer::Member(black_box(a.distance(b)) == 0.0)
+        }))
+    },
+};
+
+/// The same distance with the points, faces and coefficients that prove it.
+pub const PROXIMITY: Contender = Contender {
+    id: "proximity",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.are_disjoint().then(|| question.bodies().map(PreparedBody::new))?;
+        Some(Box::new(move || {
+            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
+            Answer::Member(black_box(a.proximity(b)).distance() == 0.0)
+        }))
+    },
+};
+
+/// The public penetration depth of two overlapping bodies that were prepared beforehand, proved within a hundredth.
+pub const PENETRATION: Contender = Contender {
+    id: "penetration",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.overlap().then(|| question.bodies().map(PreparedBody::new))?;
+        Some(Box::new(move || {
+            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
+            Answer::Member(black_box(a.penetration(b)).lower > 0.0)
+        }))
     },
 };
 

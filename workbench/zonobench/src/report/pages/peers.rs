@@ -55,13 +55,13 @@ fn lesson(record: &PeersRecord) -> Option<String> {
         format!("{} of {}", grouped(wrong), grouped(asked))
     };
     Some(format!(
-        "Where bodies of {} generators almost touch, a location with its proof takes {:.1} passes of ours, prepared, \
+        "Where bodies of {} generators almost touch, an intersection with its proof takes {:.1} passes of ours, prepared, \
          and {:.1} of parry's GJK in double precision; with gaps of 1e-9 ours answers {} questions wrong and parry's \
          {}.",
         grouped(largest as u64),
-        passes("by_lad_prepared")?,
+        passes("intersection")?,
         passes("parry_gjk")?,
-        wrong("by_lad_prepared"),
+        wrong("intersection"),
         wrong("parry_gjk")
     ))
 }

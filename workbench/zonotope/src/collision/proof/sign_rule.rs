@@ -6,8 +6,8 @@
 //! takes a pass and as much memory as the coefficients do. The signs are those of the very products, as they are
 //! rounded, of which the proof was made.
 
-use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::{Part, of_row};
 use crate::numeric::lanes::number::product;
 use crate::numeric::lanes::octet::LANES;
 use crate::numeric::lanes::signed_factors;

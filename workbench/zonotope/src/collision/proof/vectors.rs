@@ -5,8 +5,8 @@
 //! A generator M v is off by less than 4 u |M| |v| in each coordinate, so that vector bounds its rounding and, in the
 //! place of |v|, the terms of every product with it. At rest both are exact.
 
-use crate::lad::of_generators::seam::generators::{Part, of_row};
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::{Part, of_row};
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::linear::{cyclic_cross_products, dot};

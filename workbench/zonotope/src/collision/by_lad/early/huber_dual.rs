@@ -12,7 +12,8 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::{Carried, Generators};
+use crate::lad::of_generators::seam::generators::Generators;
+use crate::lad::of_generators::seam::part::Carried;
 use crate::numeric::lanes::body_sums::{add_square, sizes, squares, weighted};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};

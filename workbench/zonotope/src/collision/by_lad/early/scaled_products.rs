@@ -9,8 +9,8 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::Carried;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::Carried;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, clipped, product};
 use crate::numeric::lanes::octet::{self, LANES, splat, total};

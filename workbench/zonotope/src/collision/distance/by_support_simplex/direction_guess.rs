@@ -16,8 +16,9 @@ use super::rounded_vertices::RoundedVertices;
 use crate::collision::distance::nearest_simplex::NearestSimplex;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
-use crate::numeric::exact_linear::{ExactVector, difference, exact, negated, rounded_direction};
-use crate::numeric::linear::{dot, euclidean_norm};
+use crate::numeric::exact_linear::{ExactVector, difference, negated, rounded_direction};
+use crate::numeric::linear::{dot, euclidean_norm, max_norm};
+use crate::numeric::scaling::{PowerOfTwo, binary_exponent};
 use crate::numeric::tolerance::{CONTACT_ANGLE, EXACT_DIRECTION_ROUNDING, SEPARATING_DIRECTION_DOUBT};
 use crate::tally::{Operation, Tally};
 
@@ -71,6 +72,12 @@ fn approach_exactly(query: &dyn KernelQuery, p: &ExactVector, start: [f64; 3], t
     cone
 }
 
+/// A multiple of a vector by a power of two whose largest coordinate is about 1.
+fn unit_sized(v: [f64; 3]) -> [f64; 3] {
+    let scale = PowerOfTwo::new(-binary_exponent(max_norm(&v)).map_or(0, i64::from));
+    v.map(|c| scale.apply(c))
+}
+
 /// The cone that simplices of extreme vertices lead to; `None` if rounding hides the direction.
 fn approach(vertices: &mut RoundedVertices<'_>, start: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
     let mut simplex = NearestSimplex::<3>::new();
@@ -95,7 +102,7 @@ fn approach(vertices: &mut RoundedVertices<'_>, start: [f64; 3], tally: &mut dyn
             // where no vertex is farther but for rounding, the point is off by rounding alone
             let off = if excess <= rounding * length { 0.0 } else { excess.sqrt() };
             if off < length {
-                let center = rounded_direction(&exact(nearest.map(|c| -c)));
+                let center = unit_sized(nearest.map(|c| -c));
                 let cone =
                     DirectionCone { center, axes: None, ball: (off + rounding) / length * euclidean_norm(&center) };
                 known = Some(cone);

@@ -3,8 +3,9 @@
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSING};
+use crate::numeric::lanes::extreme_sum;
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{dot, euclidean_norm, max_norm};
+use crate::numeric::linear::{euclidean_norm, max_norm};
 use crate::numeric::scaling::{PowerOfTwo, binary_exponent};
 use crate::numeric::tolerance::NEAREST_POINT_ROUNDING;
 
@@ -21,12 +22,15 @@ pub(super) struct RoundedVertices<'q> {
     p: [f64; 3],
     /// The sum of the generators that miss the cone, the others, and the width of the cone.
     narrowed: Option<(FixedSum, Vec<[f64; 3]>, f64)>,
+    /// At least Σ |v| over all generators.
+    magnitude: Option<f64>,
     scale: Option<PowerOfTwo>,
 }
 
 impl<'q> RoundedVertices<'q> {
     pub(super) fn new(query: &'q dyn KernelQuery) -> Self {
-        Self { query, p: query.rounded_displacement().map(|c| c.value), narrowed: None, scale: None }
+        let p = query.rounded_displacement().map(|c| c.value);
+        Self { query, p, narrowed: None, magnitude: None, scale: None }
     }
 
     /// The sum of the generators whose sign is fixed in a cone, and the other ones.
@@ -49,17 +53,28 @@ impl<'q> RoundedVertices<'q> {
         self.narrowed.as_ref().map_or(self.query.len(), |(_, vectors, _)| vectors.len())
     }
 
+    /// The sum of the generators with the signs of their products with a direction.
+    fn extreme_sum(&mut self, direction: &[f64; 3]) -> [f64; 3] {
+        let Some((fixed, vectors, _)) = &self.narrowed else {
+            if self.magnitude.is_none() {
+                // the pass of a cone tells the magnitude as well
+                let (fixed, crossing) = self.split(&DirectionCone { center: *direction, axes: None, ball: 0.0 });
+                self.magnitude = Some(fixed.magnitude);
+                return plus_extreme(fixed.sum, &crossing, direction);
+            }
+            return self.query.extreme_sum(direction);
+        };
+        plus_extreme(fixed.sum, vectors, direction)
+    }
+
     /// The extreme vertex in a direction, and what nearest points of simplices of such vertices are off by rounding.
     pub(super) fn extreme(&mut self, direction: &[f64; 3]) -> ([f64; 3], f64) {
-        let (fixed, crossing) = self.split(&DirectionCone { center: *direction, axes: None, ball: 0.0 });
-        let sum = crossing.iter().fold(fixed.sum, |sum, v| {
-            let sign = f64::copysign(1.0, dot(v, direction));
-            [0, 1, 2].map(|k| sum[k] + sign * v[k])
-        });
+        let sum = self.extreme_sum(direction);
+        let magnitude = self.magnitude.expect("the first sum tells the magnitude");
         let vertex = [0, 1, 2].map(|k| sum[k] - self.p[k]);
         let size = max_norm(&vertex).max(max_norm(&self.p));
         let scale = self.scale.get_or_insert_with(|| PowerOfTwo::new(-binary_exponent(size).map_or(0, i64::from)));
-        let rounding = NEAREST_POINT_ROUNDING * scale.apply(fixed.magnitude + max_norm(&self.p));
+        let rounding = NEAREST_POINT_ROUNDING * scale.apply(magnitude + max_norm(&self.p));
         (vertex.map(|c| scale.apply(c)), rounding)
     }
 
@@ -72,4 +87,10 @@ impl<'q> RoundedVertices<'q> {
             self.narrowed = Some((fixed, crossing, width));
         }
     }
+}
+
+/// A vector, and the sum of some generators with the signs of their products with a direction.
+fn plus_extreme(sum: [f64; 3], generators: &[[f64; 3]], direction: &[f64; 3]) -> [f64; 3] {
+    let own = extreme_sum(generators, direction);
+    [0, 1, 2].map(|k| sum[k] + own[k])
 }

@@ -52,6 +52,20 @@ properties! {
         check(&Query::new([0.0; 3], inner, &generators).expect("finite"))?;
     }
 
+    /// Points just below facets, their edges and their corners.
+    #[test]
+    fn depths_near_contact_are_those_of_the_twin(
+        generators in proptest::collection::vec(proptest::array::uniform3(-1.0..1.0f64), 3..14),
+        own in proptest::array::uniform2(prop_oneof![2 => -1.0..1.0f64, 1 => Just(1.0), 1 => Just(-1.0)]),
+        gap in prop::sample::select(vec![1e-2, 1e-6, 1e-9, 1e-12]),
+    ) {
+        let normal = cross(&generators[0], &generators[1]);
+        let end = |c: f64, v: &[f64; 3], sum: [f64; 3]| [0, 1, 2].map(|k| sum[k] + c * v[k]);
+        let facet = end(own[1], &generators[1], end(own[0], &generators[0], [0.0; 3]));
+        let point = generators[2..].iter().fold(facet, |sum, v| end(1f64.copysign(dot(v, &normal)), v, sum));
+        check(&Query::new([0.0; 3], point.map(|c| (1.0 - gap) * c), &generators).expect("finite"))?;
+    }
+
     #[test]
     fn depths_of_boxes_are_those_of_the_twin(
         sides in proptest::array::uniform6(0.1..2.0f64),

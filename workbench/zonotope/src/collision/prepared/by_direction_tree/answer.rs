@@ -12,7 +12,7 @@ use crate::collision::{Location, Separation, Status, Witness};
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::seam::generators::Carried;
+use crate::lad::of_generators::seam::part::Carried;
 use crate::lad::of_generators::solve;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::tolerance::NODE_BODY_STRETCH;

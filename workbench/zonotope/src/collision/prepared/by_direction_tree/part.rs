@@ -3,7 +3,7 @@
 use super::DirectionTree;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::frame::Frame;
-use crate::lad::of_generators::seam::generators::Part;
+use crate::lad::of_generators::seam::part::Part;
 use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::exact_linear::ExactVector;

@@ -7,10 +7,12 @@
 //!
 //! The rest that all coefficients leave as they stand is tiny. Known to about twice the digits of a double it gives the
 //! corrections of the basis in plain doubles, with a bound. Where that bound leaves more than the nearest double and
-//! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
+//! its neighbours to choose from, the exact rest gives them in pairs of doubles ([`from_exact_rest`]); where that is in
+//! doubt, or the basis does not span the space, rationals answer.
 
 use std::array;
 
+use super::from_exact_rest;
 use super::solve::left_over;
 use crate::lad::of_generators::seam::frame::Frame;
 use crate::numeric::Rational;
@@ -30,15 +32,17 @@ use crate::zonotope::query::{Placed, Query, padded};
 /// dependent or nothing solves the equation. O(n).
 fn nearest<const D: usize, P: Standing>(query: &Query<'_, D, P>, witness: &Witness) -> Option<Vec<f64>> {
     in_doubles(query, witness).or_else(|| {
-        let is_finite = witness.coefficients.iter().all(|c| c.is_finite());
-        let exact = if is_finite { exact_basis(query, witness) } else { None };
-        Some(exact?.iter().map(|value| value.to_f64().value()).collect())
+        if !witness.coefficients.iter().all(|c| c.is_finite()) {
+            return None;
+        }
+        let in_pairs = query.in_dimension::<3>().and_then(|query| from_exact_rest::nearest(&query, witness));
+        in_pairs.or_else(|| Some(exact_basis(query, witness)?.iter().map(|value| value.to_f64().value()).collect()))
     })
 }
 
 /// The coefficients of the basis, exactly; `None` if its generators are dependent or nothing solves the equation. O(n)
 /// exact additions.
-fn exact_basis<const D: usize, P: Standing>(
+pub(super) fn exact_basis<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
     Witness { coefficients, basis }: &Witness,
 ) -> Option<Vec<Rational>> {

@@ -6,8 +6,8 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::Part;
 use crate::lad::of_generators::seam::sign_pass::Places;
 use crate::numeric::lanes::bit_places::{WORD, places_of};
 use crate::numeric::lanes::level::level;

@@ -11,8 +11,8 @@ use std::ops::Range;
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::Part;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, total};
 use crate::numeric::lanes::octets::Octets;

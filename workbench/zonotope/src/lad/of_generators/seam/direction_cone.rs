@@ -46,6 +46,11 @@ impl DirectionCone {
         Self { ball: self.ball + 2.0 * relative_error * size, ..*self }
     }
 
+    /// The cell with a ball of at least some part of the length of its centre.
+    pub(crate) fn at_least(self, angle: f64) -> Self {
+        Self { ball: self.ball.max(angle * euclidean_norm(&self.center)), ..self }
+    }
+
     fn size(&self) -> f64 {
         self.axes.iter().flatten().map(euclidean_norm).fold(self.ball, f64::max)
     }

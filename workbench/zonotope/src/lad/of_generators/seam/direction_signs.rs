@@ -1,8 +1,8 @@
 //! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the
 //! others.
 
-use super::generators::Part;
 use super::kernel_query::KernelQuery;
+use super::part::Part;
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::exact_linear::{ExactVector, dot};
 

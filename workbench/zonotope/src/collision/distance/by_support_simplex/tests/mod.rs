@@ -1,6 +1,7 @@
 //! Answers beside the twin, their proofs, and box poses that other libraries fail on.
 
 mod boxes;
+mod near_contact;
 
 use proptest::prelude::*;
 

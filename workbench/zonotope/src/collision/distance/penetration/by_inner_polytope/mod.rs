@@ -82,7 +82,9 @@ const UNIT_STEP: i64 = 800;
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<P: Standing>(query: &Query<'_, 3, P>, tally: &mut dyn Tally) -> Penetration<3> {
     match decide(query, tally) {
-        Location::Inside(_) => symmetric::depth(query, tally).unwrap_or_else(|| of_inner_point(query, tally)),
+        Location::Inside(member) => {
+            symmetric::depth(query, &member, tally).unwrap_or_else(|| of_inner_point(query, tally))
+        }
         Location::Boundary(_) | Location::Outside(_) => Penetration::NONE,
     }
 }

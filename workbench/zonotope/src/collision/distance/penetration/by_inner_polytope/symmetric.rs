@@ -20,19 +20,24 @@
 
 use super::search_end::{VERTEX_LIMIT, is_settled};
 use crate::collision::distance::Penetration;
-use crate::lad::of_generators::seam::generators::Part;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::Part;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Extents, extreme_sum_of};
 use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
+use crate::numeric::scaling::power_of_two;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, SHORTEST_LENGTH, UNIT};
 use crate::tally::{Operation, Tally};
+use crate::zonotope::location::Coefficients;
 
 /// A corner or the opposite one: twice its place in the list, and one more for the opposite one.
 type Corner = u32;
 
 /// The depth of a p that is inside, if doubles find it; `None` where rounding leaves a doubt.
-pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Penetration<3>> {
+///
+/// Near contact the proof that p is inside names the facet along the ray to p. Its corners are the first ones of the
+/// polytope: mostly the facet is the nearest one, and the search ends with it.
+pub(super) fn depth(query: &dyn KernelQuery, member: &Coefficients, tally: &mut dyn Tally) -> Option<Penetration<3>> {
     let body = Body::of(query)?;
     let mut best = Penetration { lower: 0.0, upper: f64::INFINITY, direction: [0.0; 3] };
     let mut look = |u: [f64; 3], best: &mut Penetration<3>| {
@@ -40,11 +45,21 @@ pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Pe
         tally.add(Operation::GeneratorRead, query.len() as u64);
         body.look(u, best)
     };
-    let along = if max_norm(&body.p) > 0.0 { body.p } else { [1.0, 0.0, 0.0] };
-    let first = look(along, &mut best);
-    let second = look(sideways(&first), &mut best);
-    let third = look(cross(&first, &second), &mut best);
-    let mut polytope = Polytope::octahedron(&body, [first, second, third])?;
+    let mut polytope = match directions_to_corners(query, member) {
+        Some(directions) => {
+            let [first, second, third, fourth] = directions.map(|u| look(u, &mut best));
+            let mut polytope = Polytope::octahedron(&body, [first, second, third])?;
+            polytope.add(fourth);
+            polytope
+        }
+        None => {
+            let along = if max_norm(&body.p) > 0.0 { body.p } else { [1.0, 0.0, 0.0] };
+            let first = look(along, &mut best);
+            let second = look(sideways(&first), &mut best);
+            let third = look(cross(&first, &second), &mut best);
+            Polytope::octahedron(&body, [first, second, third])?
+        }
+    };
     while polytope.corners.len() < VERTEX_LIMIT {
         let (u, lower) = polytope.nearest();
         best.lower = lower.max(0.0);
@@ -57,6 +72,28 @@ pub(super) fn depth(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Option<Pe
         }
     }
     (best.lower > 0.0 && is_settled(&best)).then_some(best)
+}
+
+/// The angle by which a direction is tilted from the normal of a facet to a corner, times the number of generators: in
+/// a facet's neighbourhood, which is about one over that number wide, no other generator changes its sign.
+const TILT: f64 = power_of_two(-10);
+
+/// Directions in which the corners of the facet are extreme that the coefficients of p lie near, if they follow a rule.
+fn directions_to_corners(query: &dyn KernelQuery, member: &Coefficients) -> Option<[[f64; 3]; 4]> {
+    let Coefficients::BySigns(rule) = member else { return None };
+    let u = rule.direction;
+    let mut spanning = rule.basis.map(|index| query.generator(index));
+    let slope = |v: &[f64; 3]| dot(v, &u).abs() / euclidean_norm(v);
+    spanning.sort_by(|v, w| slope(v).total_cmp(&slope(w)));
+    let [v, w, _] = spanning;
+    let normal = cross(&v, &w);
+    let tilt = TILT * euclidean_norm(&u) / (query.len() as f64 * dot(&normal, &normal));
+    // the products of v and w with the first and the second one are positive, the others 0
+    let first = cross(&w, &normal).map(|c| c * tilt * euclidean_norm(&v));
+    let second = cross(&normal, &v).map(|c| c * tilt * euclidean_norm(&w));
+    let tilted = |a: f64, b: f64| [0, 1, 2].map(|k| u[k] + a * first[k] + b * second[k]);
+    let directions = [tilted(1.0, 1.0), tilted(1.0, -1.0), tilted(-1.0, -1.0), tilted(-1.0, 1.0)];
+    directions.as_flattened().iter().all(|c| c.is_finite()).then_some(directions)
 }
 
 /// A vector orthogonal to another one.
