@@ -12,7 +12,7 @@
 
 use super::exact_simplex::ExactSimplex;
 use super::fixed_signs::fixed_signs;
-use super::rounded_vertices::RoundedVertices;
+use super::rounded_vertices::{Extreme, RoundedVertices};
 use crate::collision::distance::nearest_simplex::NearestSimplex;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -34,12 +34,9 @@ const WIDEST_CROSSING_COUNT: f64 = 64.0;
 /// A cone around the direction to the displacement `p` of a query from the nearest point, as far as doubles know it;
 /// `start` is a direction in which the displacement is beyond the body.
 pub(super) fn cone(query: &dyn KernelQuery, p: &ExactVector, start: [f64; 3], tally: &mut dyn Tally) -> DirectionCone {
-    in_doubles(query, start, tally).unwrap_or_else(|| approach_exactly(query, p, start, tally))
-}
-
-/// The same cone by a search in doubles alone; `None` if rounding hides the direction.
-pub(super) fn in_doubles(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
-    approach(&mut RoundedVertices::new(query), start, tally)
+    let mut vertices = RoundedVertices::new(query);
+    let first = vertices.extreme(&start);
+    approach(&mut vertices, start, first, tally).unwrap_or_else(|| approach_exactly(query, p, start, tally))
 }
 
 /// The cone that exact simplices of extreme vertices lead to, from a separating direction: until the generators that
@@ -78,10 +75,16 @@ fn unit_sized(v: [f64; 3]) -> [f64; 3] {
     v.map(|c| scale.apply(c))
 }
 
-/// The cone that simplices of extreme vertices lead to; `None` if rounding hides the direction.
-fn approach(vertices: &mut RoundedVertices<'_>, start: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
+/// The cone that simplices of extreme vertices lead to, in doubles, from the vertex that is extreme in a direction;
+/// `None` if rounding hides the direction.
+pub(super) fn approach(
+    vertices: &mut RoundedVertices<'_>,
+    start: [f64; 3],
+    first: Extreme,
+    tally: &mut dyn Tally,
+) -> Option<DirectionCone> {
     let mut simplex = NearestSimplex::<3>::new();
-    let mut direction = start;
+    let (mut direction, mut first) = (start, Some(first));
     let mut last: Option<([f64; 3], f64)> = None;
     let mut known: Option<DirectionCone> = None;
     // where it ends early, a cone that many generators cross is no answer
@@ -90,7 +93,7 @@ fn approach(vertices: &mut RoundedVertices<'_>, start: [f64; 3], tally: &mut dyn
     for _ in 0..STEPS {
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::GeneratorRead, vertices.read_count() as u64);
-        let (vertex, rounding) = vertices.extreme(&direction);
+        let Extreme { vertex, rounding } = first.take().unwrap_or_else(|| vertices.extreme(&direction));
         if let Some((nearest, square)) = last {
             let length = square.sqrt();
             // not known for NaN as well

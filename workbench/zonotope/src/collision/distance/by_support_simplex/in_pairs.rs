@@ -17,6 +17,7 @@ use std::cmp::Ordering;
 use super::by_active_set::{self, Guess};
 use super::direction_guess;
 use super::fixed_signs::{fixed_coefficients, fixed_signs};
+use super::rounded_vertices::RoundedVertices;
 use crate::collision::proof::vectors::Vectors;
 use crate::lad::of_generators::seam::direction_cone::DirectionCone;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
@@ -57,11 +58,16 @@ const WIDENING: f64 = 8.0;
 pub(super) fn distance(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tally) -> Option<f64> {
     let vectors = Vectors::of(query)?;
     let center = start.map(|c| c / max_norm(&start));
-    let around_start = DirectionCone { center, axes: None, ball: FACET_ANGLE * euclidean_norm(&center) };
-    in_cones(query, &vectors, around_start, 2, tally).or_else(|| {
-        let guess = direction_guess::in_doubles(query, start, tally)?;
-        in_cones(query, &vectors, guess.at_least(LEAST_ANGLE), 0, tally)
-    })
+    let mut vertices = RoundedVertices::new(query);
+    let first = vertices.extreme(&center);
+    if !vertices.is_far(&center, &first) {
+        let around_start = DirectionCone { center, axes: None, ball: FACET_ANGLE * euclidean_norm(&center) };
+        if let Some(distance) = in_cones(query, &vectors, around_start, 2, tally) {
+            return Some(distance);
+        }
+    }
+    let guess = direction_guess::approach(&mut vertices, center, first, tally)?;
+    in_cones(query, &vectors, guess.at_least(LEAST_ANGLE), 0, tally)
 }
 
 /// The distance, if a cone or those that it leads to tell it; at least some generators are to cross the first one.

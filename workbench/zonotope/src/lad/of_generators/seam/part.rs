@@ -10,7 +10,7 @@ use crate::numeric::bounded::Bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::rows::{Rows, Runs};
-use crate::numeric::lanes::{bounded_sum, bounded_sum_near, extreme_sum_of, signed_factors};
+use crate::numeric::lanes::{Extents, bounded_sum, bounded_sum_near, extreme_sum_of, signed_factors};
 use crate::numeric::linear::sum_norm;
 
 /// Results of a pass over the rows of one part that can become results for their images.
@@ -98,6 +98,13 @@ impl<'a> Part<'a> {
     #[inline(always)]
     pub(crate) fn image_of_sizes(&self, x: &[f64; 3]) -> [f64; 3] {
         self.frame.map_or(*x, |frame| frame.image_of_sizes(x))
+    }
+
+    /// Σ |v|_1, or a little more; of bodies that were not prepared one pass.
+    pub(crate) fn magnitude(&self) -> f64 {
+        let sizes =
+            self.rows.sums().map_or_else(|| Extents::new(self.rows.list()).sums(), |sums| [sums.magnitude() / 3.0; 3]);
+        sum_norm(&self.image_of_sizes(&sizes))
     }
 
     /// A pass over the rows, its result carried over to their images.
