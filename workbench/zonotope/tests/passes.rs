@@ -3,6 +3,7 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use zonotope::collision::distance::by_support_simplex;
 use zonotope::collision::distance::penetration::by_inner_polytope;
 use zonotope::collision::{Query, by_lad};
 use zonotope::tally::{Operation, OperationCounts};
@@ -32,6 +33,10 @@ fn gauge(query: &Query<'_, 3>, counts: &mut OperationCounts) {
 
 fn depth(query: &Query<'_, 3>, counts: &mut OperationCounts) {
     by_inner_polytope::penetration(query, counts);
+}
+
+fn distance(query: &Query<'_, 3>, counts: &mut OperationCounts) {
+    by_support_simplex::distance(query, counts);
 }
 
 fn stored(name: &'static str, ask: Question, count: usize, gauge: f64, passes: f64) -> Stored {
@@ -68,6 +73,10 @@ fn questions_take_as_many_passes_as_ever() {
         stored("depth", depth, 64, within, 145.0),
         stored("depth", depth, 64, 0.5, 133.0),
         stored("depth", depth, 1024, within, 224.28),
+        stored("depth", depth, 16384, within, 0.0),
+        stored("distance", distance, 64, 1.0 + 1e-9, 0.0),
+        stored("distance", distance, 1024, 1.0 + 1e-9, 0.0),
+        stored("distance", distance, 1024, 2.0, 0.0),
     ];
     let found = table.iter().map(|row| (row, passes(row)));
     let other: Vec<String> = found

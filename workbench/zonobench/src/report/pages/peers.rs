@@ -55,9 +55,9 @@ fn lesson(record: &PeersRecord) -> Option<String> {
         format!("{} of {}", grouped(wrong), grouped(asked))
     };
     Some(format!(
-        "Where bodies of {} generators almost touch, an intersection with its proof takes {:.1} passes of ours, prepared, \
-         and {:.1} of parry's GJK in double precision; with gaps of 1e-9 ours answers {} questions wrong and parry's \
-         {}.",
+        "Where bodies of {} generators almost touch, an intersection with its proof takes {:.1} passes of ours, \
+         prepared, and {:.1} of parry's GJK in double precision; with gaps of 1e-9 ours answers {} questions wrong \
+         and parry's {}.",
         grouped(largest as u64),
         passes("intersection")?,
         passes("parry_gjk")?,

@@ -6,7 +6,7 @@
 //! face that they span is the foot of r on their plane or line, and so is in the face if its coefficients are in (−1,
 //! 1). Where the direction u from that foot to p is in the cone, all signs are those of u · g_i: no other point of the
 //! body is nearer. Where more generators cross the cone, or the foot is not in the face, an active set among those that
-//! cross it ([`by_active_set`]) leads to a narrower cone or to a wider one.
+//! cross it ([`active_set`]) leads to a narrower cone or to a wider one.
 //!
 //! One pass sums up S to twice the digits of a double, so that the distance is known beyond a double unless it is below
 //! 2^-40 of the body; then the signs in that cone are summed up exactly. All that is asked of the numbers is certain
@@ -14,7 +14,7 @@
 
 use std::cmp::Ordering;
 
-use super::by_active_set::{self, Guess};
+use super::active_set::{self, Guess};
 use super::direction_guess;
 use super::fixed_signs::{fixed_coefficients, fixed_signs};
 use super::rounded_vertices::RoundedVertices;
@@ -155,7 +155,7 @@ fn in_cone(
             return Some(root(square).map_or(Found::Unclear, Found::Distance));
         }
     }
-    by_active_set::direction(&crossing, rest.map(|c| c.rounded().value), &cone.center).map(Found::Guess)
+    active_set::direction(&crossing, rest.map(|c| c.rounded().value), &cone.center).map(Found::Guess)
 }
 
 /// p less the generators whose sign is fixed in a cone.

@@ -57,7 +57,7 @@
 //! assert_eq!((gap.distance(), gap.gap().unwrap().points[0]), (5.0, [1.0, 1.0]));
 //! ```
 
-mod by_active_set;
+mod active_set;
 mod direction_guess;
 mod exact_descent;
 mod exact_simplex;

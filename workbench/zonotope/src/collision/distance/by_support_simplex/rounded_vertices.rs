@@ -7,7 +7,7 @@ use crate::lad::of_generators::seam::sign_pass::{FixedSum, Places, USUAL_CROSSIN
 use crate::numeric::lanes::extreme_sum;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};
-use crate::numeric::scaling::{PowerOfTwo, binary_exponent, power_of_two};
+use crate::numeric::scaling::{PowerOfTwo, binary_exponent};
 use crate::numeric::tolerance::NEAREST_POINT_ROUNDING;
 
 /// Generators are summed up where the cone is at most this wide, and a later cone is this much narrower than the last.
@@ -17,7 +17,7 @@ const NARROWING: f64 = 1.0 / 64.0;
 const WORTHWHILE_COUNT: usize = 64;
 
 /// A gap that is at least this part of the displacement is no near contact.
-const FAR: f64 = power_of_two(-7);
+const LEAST_CLEAR_GAP: f64 = 1.0 / 128.0;
 
 /// An extreme vertex as seen from the displacement, in units of the displacement's size.
 #[derive(Debug, Clone, Copy)]
@@ -86,7 +86,7 @@ impl<'q> RoundedVertices<'q> {
     /// is extreme there.
     pub(super) fn is_far(&self, direction: &[f64; 3], extreme: &Extreme) -> bool {
         let size = self.scale.as_ref().map_or(f64::INFINITY, |scale| scale.apply(max_norm(&self.p)));
-        -dot(direction, &extreme.vertex) > FAR * size * euclidean_norm(direction)
+        -dot(direction, &extreme.vertex) > LEAST_CLEAR_GAP * size * euclidean_norm(direction)
     }
 
     /// From now on directions are in a cone.

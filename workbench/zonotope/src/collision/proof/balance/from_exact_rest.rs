@@ -1,8 +1,8 @@
 //! The coefficients of a basis from the exact rest that all coefficients leave, in pairs of doubles.
 //!
-//! Where a coefficient of a basis is nearly 0, a rest that was summed up to twice the digits of a double does not tell
-//! its last place. The exact rest is nearly as quick: most coefficients of a proof near the boundary are ±c for one c,
-//! so that their vectors are summed up with signs alone. The rest is tiny, and pairs of doubles solve for the
+//! A coefficient of a basis that is nearly 0 is not known to the last place from a rest that was summed up to twice the
+//! digits of a double. The exact rest is nearly as quick: most coefficients of a proof near the boundary are ±c for one
+//! c, so that their vectors are summed up with signs alone. The rest is tiny, and pairs of doubles solve for the
 //! corrections.
 
 use std::array;

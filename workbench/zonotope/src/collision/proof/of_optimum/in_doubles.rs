@@ -5,8 +5,8 @@
 //! their range. Then the third generator is one that moves both inwards as its own coefficient leaves its end, which
 //! it may do as far as c can grow towards 1.
 //!
-//! Where the direction of the vertex is in all cells that fixed signs, these are the signs of products with it, and the
-//! proof has constant size.
+//! The signs that cells fixed are those of products with the direction of the vertex where that is in all of these
+//! cells, and then the proof has constant size.
 
 use crate::collision::proof::balance::well_spread::well_spread;
 use crate::collision::{SignRule, Witness};

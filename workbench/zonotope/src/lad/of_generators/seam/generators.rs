@@ -98,8 +98,8 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     }
 
     /// Whether a generator that a pass over a cell fixed has the sign of its product, as it is rounded, with every
-    /// direction of doubles in the cell: the margin of [`CONE_ROUNDING`](crate::numeric::tolerance::CONE_ROUNDING) holds
-    /// the rounding of both products. A matrix rounds more, and sums that are known beforehand read no products.
+    /// direction of doubles in the cell: the margin of a cell, eight roundings, holds three of each product. A matrix
+    /// rounds more, and sums that are known beforehand read no products.
     fn has_signs_of_products(&self) -> bool {
         false
     }

@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::collision::distance::by_support_simplex::{by_active_set, in_pairs};
+use crate::collision::distance::by_support_simplex::{active_set, in_pairs};
 use crate::numeric::linear::{cross, euclidean_norm};
 
 /// A point of a facet of a random body, in the coefficients of its two generators, and a direction between its normal
@@ -60,7 +60,7 @@ fn an_active_set_finds_the_direction_from_the_nearest_point_of_few_generators() 
         let (point, near) = (vector().map(|c| far * c), vector());
         let query = Query::new([0.0; 3], point, &body).expect("finite");
         let truth = brute_force::nearest_point(&query).squared_distance.to_f64().value().sqrt();
-        let Some(guess) = by_active_set::direction(&body, point, &near) else { continue };
+        let Some(guess) = active_set::direction(&body, point, &near) else { continue };
         assert!(truth > 0.0, "{body:?} {point:?}");
         let along = dot(&guess.direction, &point) - body.iter().map(|v| dot(v, &guess.direction).abs()).sum::<f64>();
         assert!((along - truth).abs() <= 1e-9 * truth, "{along} {truth} {body:?} {point:?}");
@@ -72,12 +72,12 @@ fn an_active_set_finds_the_direction_from_the_nearest_point_of_few_generators() 
 #[test]
 fn an_active_set_says_nothing_of_points_inside_and_parallel_generators() {
     let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    assert!(by_active_set::direction(&cube, [0.5, -0.25, 0.0], &[1.0, 1.0, 1.0]).is_none());
+    assert!(active_set::direction(&cube, [0.5, -0.25, 0.0], &[1.0, 1.0, 1.0]).is_none());
     let parallel = [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
     // two that could leave their bounds together
-    assert!(by_active_set::direction(&parallel, [0.5, 1.0, 0.0], &[-1.0, 1.0, 0.0]).is_some());
-    let guess = by_active_set::direction(&cube, [0.5, 0.5, 3.0], &[-1.0, -1.0, -1.0]).expect("it is above the cube");
+    assert!(active_set::direction(&parallel, [0.5, 1.0, 0.0], &[-1.0, 1.0, 0.0]).is_some());
+    let guess = active_set::direction(&cube, [0.5, 0.5, 3.0], &[-1.0, -1.0, -1.0]).expect("it is above the cube");
     assert_eq!(guess.direction, [0.0, 0.0, 1.0]);
-    assert!(by_active_set::direction(&[], [0.0; 3], &[1.0, 0.0, 0.0]).is_none());
-    assert!(by_active_set::direction(&[[f64::NAN; 3]], [1.0; 3], &[1.0, 0.0, 0.0]).is_none());
+    assert!(active_set::direction(&[], [0.0; 3], &[1.0, 0.0, 0.0]).is_none());
+    assert!(active_set::direction(&[[f64::NAN; 3]], [1.0; 3], &[1.0, 0.0, 0.0]).is_none());
 }

@@ -25,7 +25,6 @@ use crate::lad::of_generators::seam::part::Part;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Extents, extreme_sum_of};
 use crate::numeric::linear::{cross, dot, euclidean_norm, max_norm};
-use crate::numeric::scaling::power_of_two;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, SHORTEST_LENGTH, UNIT};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::location::Coefficients;
@@ -76,7 +75,7 @@ pub(super) fn depth(query: &dyn KernelQuery, member: &Coefficients, tally: &mut 
 
 /// The angle by which a direction is tilted from the normal of a facet to a corner, times the number of generators: in
 /// a facet's neighbourhood, which is about one over that number wide, no other generator changes its sign.
-const TILT: f64 = power_of_two(-10);
+const CORNER_TILT: f64 = 1.0 / 1024.0;
 
 /// Directions in which the corners of the facet are extreme that the coefficients of p lie near, if they follow a rule.
 fn directions_to_corners(query: &dyn KernelQuery, member: &Coefficients) -> Option<[[f64; 3]; 4]> {
@@ -87,7 +86,7 @@ fn directions_to_corners(query: &dyn KernelQuery, member: &Coefficients) -> Opti
     spanning.sort_by(|v, w| slope(v).total_cmp(&slope(w)));
     let [v, w, _] = spanning;
     let normal = cross(&v, &w);
-    let tilt = TILT * euclidean_norm(&u) / (query.len() as f64 * dot(&normal, &normal));
+    let tilt = CORNER_TILT * euclidean_norm(&u) / (query.len() as f64 * dot(&normal, &normal));
     // the products of v and w with the first and the second one are positive, the others 0
     let first = cross(&w, &normal).map(|c| c * tilt * euclidean_norm(&v));
     let second = cross(&normal, &v).map(|c| c * tilt * euclidean_norm(&w));
