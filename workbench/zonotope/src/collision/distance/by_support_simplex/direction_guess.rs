@@ -35,7 +35,7 @@ const WIDEST_CROSSING_COUNT: f64 = 64.0;
 /// `start` is a direction in which the displacement is beyond the body.
 pub(super) fn cone(query: &dyn KernelQuery, p: &ExactVector, start: [f64; 3], tally: &mut dyn Tally) -> DirectionCone {
     let mut vertices = RoundedVertices::new(query);
-    let first = vertices.extreme(&start);
+    let first = vertices.extreme(&start, tally);
     approach(&mut vertices, start, first, tally).unwrap_or_else(|| approach_exactly(query, p, start, tally))
 }
 
@@ -91,9 +91,7 @@ pub(super) fn approach(
     let widest = WIDEST_CROSSING_COUNT / vertices.read_count() as f64;
     let narrow = |known: Option<DirectionCone>| known.filter(|cone| cone.ball < widest * euclidean_norm(&cone.center));
     for _ in 0..STEPS {
-        tally.add(Operation::SearchStep, 1);
-        tally.add(Operation::GeneratorRead, vertices.read_count() as u64);
-        let Extreme { vertex, rounding } = first.take().unwrap_or_else(|| vertices.extreme(&direction));
+        let Extreme { vertex, rounding } = first.take().unwrap_or_else(|| vertices.extreme(&direction, tally));
         if let Some((nearest, square)) = last {
             let length = square.sqrt();
             // not known for NaN as well

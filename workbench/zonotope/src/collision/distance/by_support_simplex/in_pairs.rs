@@ -59,7 +59,7 @@ pub(super) fn distance(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn
     let vectors = Vectors::of(query)?;
     let center = start.map(|c| c / max_norm(&start));
     let mut vertices = RoundedVertices::new(query);
-    let first = vertices.extreme(&center);
+    let first = vertices.extreme(&center, tally);
     if !vertices.is_far(&center, &first) {
         let around_start = DirectionCone { center, axes: None, ball: FACET_ANGLE * euclidean_norm(&center) };
         if let Some(distance) = in_cones(query, &vectors, around_start, 2, tally) {

@@ -9,6 +9,7 @@ use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};
 use crate::numeric::scaling::{PowerOfTwo, binary_exponent};
 use crate::numeric::tolerance::NEAREST_POINT_ROUNDING;
+use crate::tally::{Operation, Tally};
 
 /// Generators are summed up where the cone is at most this wide, and a later cone is this much narrower than the last.
 const NARROWING: f64 = 1.0 / 64.0;
@@ -67,7 +68,9 @@ impl<'q> RoundedVertices<'q> {
     }
 
     /// The extreme vertex in a direction.
-    pub(super) fn extreme(&mut self, direction: &[f64; 3]) -> Extreme {
+    pub(super) fn extreme(&mut self, direction: &[f64; 3], tally: &mut dyn Tally) -> Extreme {
+        tally.add(Operation::SearchStep, 1);
+        tally.add(Operation::GeneratorRead, self.read_count() as u64);
         let sum = match &self.narrowed {
             None => self.query.extreme_sum(direction),
             Some((fixed, vectors, _)) => {
