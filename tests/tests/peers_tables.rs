@@ -30,23 +30,58 @@ fn the_record_names_what_exists() {
     }
 }
 
-/// README's sentence: near contact and on clear questions the kernel is the quicker one of random bodies at every size,
-/// and where bodies touch it is the slower one at every size.
+/// README's sentences: prepared random bodies at rest are answered sooner than by parry's GJK at every size where they
+/// nearly touch, overlap or are apart; the first rows of the table are those of races that ours lose somewhere, and
+/// touching bodies are decided later at every size.
 #[test]
-fn the_kernel_leads_where_the_readme_says_so() {
+fn public_calls_lead_where_the_readme_says_so() {
     let record = peers::committed().expect("the committed record reads as one");
     let [_, lead, _] = peers::tables_of_readme(&record);
-    let medians = |row: &[String]| -> Vec<f64> {
-        let known = row[1..].iter().filter_map(|cell| cell.split(' ').next()?.parse().ok());
-        known.collect()
+    let medians = |title: &str| -> Vec<f64> {
+        let row = lead.rows.iter().find(|row| row[0] == title).expect("README names the race");
+        row[1..].iter().filter_map(|cell| cell.split(' ').next()?.parse().ok()).collect()
     };
-    for row in &lead.rows[..3] {
-        assert!(medians(row).iter().all(|&ratio| ratio > 1.0), "{row:?}");
+    for title in [
+        "random bodies near contact (1e-9)",
+        "random bodies overlapping",
+        "random bodies separated",
+        "near contact, every coefficient written",
+    ] {
+        assert!(medians(title).iter().all(|&ratio| ratio > 1.0), "{title}");
     }
-    assert!(lead.rows[3][0].contains("touching"));
-    assert!(medians(&lead.rows[3]).iter().all(|&ratio| ratio < 1.0), "{:?}", lead.rows[3]);
-    for row in &lead.rows[8..] {
-        assert!(row[0].contains("single precision"));
-        assert!(medians(row).last().is_some_and(|&ratio| ratio < 1.0), "{row:?}");
+    assert!(medians("random bodies touching").iter().all(|&ratio| ratio < 1.0));
+    let least = |title: &str| medians(title).into_iter().fold(f64::INFINITY, f64::min);
+    for title in [
+        "distance, separated",
+        "penetration depth, near contact (1e-9)",
+        "parry's in single precision, overlapping",
+        "parry's in single precision, separated",
+        "not prepared, overlapping",
+        "not prepared, separated",
+        "under poses, overlapping",
+        "under poses, separated",
+    ] {
+        assert!(least(title) < 1.0, "{title}");
+    }
+    let in_order: Vec<f64> = lead.rows.iter().map(|row| least(&row[0])).collect();
+    assert!(in_order.is_sorted_by(|a, b| *a <= b + 0.05), "{in_order:?}");
+}
+
+/// README's last sentence: next to contact GJK is wrong about many questions, in single precision about half of them.
+#[test]
+fn wrong_answers_are_where_the_readme_says_so() {
+    let record = peers::committed().expect("the committed record reads as one");
+    let near =
+        || record.cells.iter().filter(|cell| cell.placement.ends_with("1e-9") || cell.placement.ends_with("1e-12"));
+    let share = |method: &str| {
+        let entries = near().filter_map(|cell| cell.entry(method));
+        let [wrong, asked] = entries.fold([0, 0], |[w, a], entry| [w + entry.wrong, a + entry.asked]);
+        f64::from(wrong) / f64::from(asked)
+    };
+    assert!(share("parry_gjk") > 0.1 && (0.4..0.6).contains(&share("parry_f32_gjk")));
+    for cell in &record.cells {
+        let ours = ["intersection", "intersection_written", "intersection_posed", "intersection_of_rows", "gauge"];
+        let ours = ours.iter().chain(&["by_lad", "by_lad_gauge", "distance", "proximity", "penetration"]);
+        assert!(ours.filter_map(|id| cell.entry(id)).all(|entry| entry.wrong + entry.failed == 0), "{cell:?}");
     }
 }
