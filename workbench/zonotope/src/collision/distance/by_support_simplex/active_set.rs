@@ -37,9 +37,8 @@ pub(super) fn direction(generators: &[[f64; 3]], point: [f64; 3], near: &[f64; 3
     for _ in 0..STEP_LIMIT {
         let length = euclidean_norm(&rest);
         // false for NaN as well
-        if !(length > rounding) {
-            return None;
-        }
+        let is_known = length > rounding;
+        is_known.then_some(())?;
         let doubt = rounding / length;
         let gain = |i: usize| {
             let v = &generators[i];
@@ -97,17 +96,15 @@ fn least_squares(mut vectors: impl Iterator<Item = [f64; 3]>, rest: &[f64; 3]) -
     let normal = cross(&first, &second);
     let area = dot(&normal, &normal);
     let sizes = square * dot(&second, &second);
-    if !(area > DEPENDENT * sizes) {
-        return None;
-    }
+    let are_independent = area > DEPENDENT * sizes;
+    are_independent.then_some(())?;
     let Some(third) = third else {
         let [a, b] = [cross(rest, &second), cross(&first, rest)].map(|c| dot(&c, &normal) / area);
         return Some([a, b, 0.0]);
     };
     let volume = dot(&normal, &third);
-    if !(volume * volume > DEPENDENT * sizes * dot(&third, &third)) {
-        return None;
-    }
+    let are_independent = volume * volume > DEPENDENT * sizes * dot(&third, &third);
+    are_independent.then_some(())?;
     let [a, b] = [cross(&second, &third), cross(&third, &first)].map(|c| dot(&c, rest) / volume);
     Some([a, b, dot(&normal, rest) / volume])
 }
