@@ -271,7 +271,8 @@ fn lead(record: &PeersRecord, races: &[Race]) -> Table {
         [race.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
     Table {
-        caption: "The time of parry's call over that of ours: median (least) over questions; the race with the least median first."
+        caption: "The time of parry's call over that of ours: median (least) over questions; the race with the least \
+                  median first."
             .to_owned(),
         head: ["method"].into_iter().map(str::to_owned).chain(sizes.iter().map(|&n| size_name(n))).collect(),
         rows: races.iter().map(|(_, race)| row(race)).filter(|row| is_known(row)).collect(),
