@@ -56,6 +56,7 @@ fn public_calls_lead_where_the_readme_says_so() {
         "penetration depth, near contact (1e-9)",
         "parry's in single precision, overlapping",
         "parry's in single precision, separated",
+        "random bodies, gap 1e-3",
         "not prepared, overlapping",
         "not prepared, separated",
         "under poses, overlapping",

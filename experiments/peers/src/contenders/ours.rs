@@ -5,7 +5,7 @@ use experiments::question::Question;
 use rivals::by_gjk::{self, GjkAnswer};
 use std::hint::black_box;
 use zonotope::collision::Method;
-use zonotope::zonotope::{PreparedBody, Zonotope};
+use zonotope::zonotope::{Placed, PreparedBody, Zonotope};
 
 /// One evaluation of the support function in doubles over the question's generators, which are laid out for it
 /// beforehand.
@@ -103,17 +103,20 @@ pub const GAUGE_PREPARED: Contender = Contender {
     },
 };
 
+/// A question to two prepared bodies where they stand, that says whether they have a point, or inner points, in common.
+fn measure(question: &Question, meet: fn(Placed<'_>, Placed<'_>) -> bool) -> Work<'static> {
+    let bodies = question.bodies().map(PreparedBody::new);
+    Box::new(move || {
+        let [a, b] = bodies.each_ref().map(PreparedBody::placed);
+        Answer::Member(meet(a, b))
+    })
+}
+
 /// The public distance of two disjoint bodies that were prepared beforehand, within two units in the last place.
 pub const DISTANCE: Contender = Contender {
     id: "distance",
     largest: usize::MAX,
-    prepare: |question| {
-        let bodies = question.are_disjoint().then(|| question.bodies().map(PreparedBody::new))?;
-        Some(Box::new(move || {
-            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
-            Answer::Member(black_box(a.distance(b)) == 0.0)
-        }))
-    },
+    prepare: |question| question.are_disjoint().then(|| measure(question, |a, b| black_box(a.distance(b)) == 0.0)),
 };
 
 /// The same distance with the points, faces and coefficients that prove it.
@@ -121,11 +124,7 @@ pub const PROXIMITY: Contender = Contender {
     id: "proximity",
     largest: usize::MAX,
     prepare: |question| {
-        let bodies = question.are_disjoint().then(|| question.bodies().map(PreparedBody::new))?;
-        Some(Box::new(move || {
-            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
-            Answer::Member(black_box(a.proximity(b)).distance() == 0.0)
-        }))
+        question.are_disjoint().then(|| measure(question, |a, b| black_box(a.proximity(b)).distance() == 0.0))
     },
 };
 
@@ -133,13 +132,7 @@ pub const PROXIMITY: Contender = Contender {
 pub const PENETRATION: Contender = Contender {
     id: "penetration",
     largest: usize::MAX,
-    prepare: |question| {
-        let bodies = question.overlap().then(|| question.bodies().map(PreparedBody::new))?;
-        Some(Box::new(move || {
-            let [a, b] = bodies.each_ref().map(PreparedBody::placed);
-            Answer::Member(black_box(a.penetration(b)).lower > 0.0)
-        }))
-    },
+    prepare: |question| question.overlap().then(|| measure(question, |a, b| black_box(a.penetration(b)).lower > 0.0)),
 };
 
 /// The paper's Theorem 5.2.

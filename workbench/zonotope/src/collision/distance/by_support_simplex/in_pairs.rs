@@ -108,14 +108,14 @@ fn in_cones(
     None
 }
 
-/// How the generators are summed up whose sign is fixed in a cone.
+/// The precision in which the generators are summed up whose sign is fixed in a cone.
 #[derive(Debug, Clone, Copy)]
 enum Sum {
     InPairs,
     Exact,
 }
 
-/// What a cone of directions leads to.
+/// The outcome of a look at a cone of directions.
 enum Found {
     Distance(f64),
     /// The cone holds the direction from the nearest point, but the distance is lost in the rounding of the sum.

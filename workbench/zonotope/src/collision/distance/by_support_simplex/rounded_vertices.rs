@@ -24,7 +24,7 @@ const LEAST_CLEAR_GAP: f64 = 1.0 / 128.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extreme {
     pub(super) vertex: [f64; 3],
-    /// What nearest points of simplices of such vertices are off by rounding.
+    /// The distance by which rounding may move nearest points of simplices of such vertices.
     pub(super) rounding: f64,
 }
 
