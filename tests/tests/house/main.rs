@@ -1,5 +1,6 @@
 //! The rules of the house, held by tests: code, columns, comments, documentation, ids, layout, manual.
 
+mod benchmarks;
 mod code;
 mod columns;
 mod comments;

@@ -29,7 +29,7 @@ fn check_plain<const D: usize>(center: [f64; D], generators: &[[f64; D]], point:
     let body = Zonotope::new(center, generators.to_vec()).expect("finite");
     let question = Displaced::new(&center, &point, generators).expect("one dimension");
     check(&question, &body.locate(point).expect("finite").expand());
-    check(&question, &body.gauge(point).expect("finite").location);
+    check(&question, &body.gauge(point).expect("finite").expand().location);
     let origin = Zonotope::new(point, vec![]).expect("finite");
     check(&question, &body.intersection(&origin).expand());
 }
@@ -84,7 +84,7 @@ tests::properties! {
         check(&question, &a.at(&from).intersection(b.at(&to)).expand());
         let question = Displaced::to_point(&own, &point).expect("space");
         check(&question, &a.at(&from).locate(point).expect("finite").expand());
-        let gauge = a.at(&from).gauge(point).expect("finite");
+        let gauge = a.at(&from).gauge(point).expect("finite").expand();
         if let Some(certificate) = certificate(&gauge.location) {
             let at_most_one = gauge.location.is_member();
             let answer = GaugeAnswer { gauge: gauge.value, at_most_one, certificate };

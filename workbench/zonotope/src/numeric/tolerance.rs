@@ -102,6 +102,10 @@ pub const NEAREST_POINT_ROUNDING: f64 = 32.0 * UNIT;
 /// taken of a rounded result.
 pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
+/// The product of a double vector v with a direction has the sign of v's product with the direction that the latter was
+/// rounded from, if it exceeds this times Σ |v_k u_k|: three roundings, and half a unit of each coordinate, with room.
+pub(crate) const SIGN_OF_ROUNDED_DIRECTION: f64 = 8.0 * UNIT;
+
 /// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
 /// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 256 vectors,

@@ -87,15 +87,18 @@ pub enum Separation<const D: usize> {
 }
 
 /// The gauge of a displacement p by a zonotope Z centred at the origin: min { t ≥ 0 : p ∈ t Z }, with the place of p.
+///
+/// Methods write the proof of that place as a [`Location`] at once; bodies answer with a
+/// [`Located`](crate::collision::Located), whose proof is written when it is asked for.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Gauge<const D: usize> {
+pub struct Gauge<const D: usize, L = Location<D>> {
     /// The gauge, within [`error`](Self::error); infinite where no multiple of Z holds p (a flat Z), then without
     /// error.
     pub value: f64,
     /// A bound for |`value` − gauge|.
     pub error: f64,
     /// The place of p relative to Z, decided exactly: the gauge is at most 1 just when p is a member. With its proof.
-    pub location: Location<D>,
+    pub location: L,
 }
 
 impl<const D: usize> Separation<D> {
@@ -184,11 +187,17 @@ impl<const D: usize> Location<D> {
     }
 }
 
+impl<const D: usize, L> Gauge<D, L> {
+    /// The same gauge with the place of the displacement in another form.
+    pub(crate) fn map<const E: usize, M>(self, place: impl FnOnce(L) -> M) -> Gauge<E, M> {
+        Gauge { value: self.value, error: self.error, location: place(self.location) }
+    }
+}
+
 impl<const D: usize> Gauge<D> {
     /// The gauge for a body of R^E with `own` generators, from that for its prism in R^D, or for itself if D = E.
     pub(crate) fn lowered<const E: usize>(self, own: usize) -> Gauge<E> {
-        let Self { value, error, location } = self;
-        Gauge { value, error, location: location.lowered(own) }
+        self.map(|location| location.lowered(own))
     }
 }
 

@@ -53,6 +53,7 @@ use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
+use crate::zonotope::location::Coefficients;
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status at once, the full
 /// proof on demand.
@@ -92,19 +93,28 @@ impl<'q> Facet<'q> {
 
     /// The gauge with where the displacement lies. O(n).
     pub fn gauge(&self, tally: &mut dyn Tally) -> Gauge<3> {
-        let (value, error) = self.value();
-        Gauge { value, error, location: self.location(tally) }
+        self.measured(tally).map(|location| location.written(self.query))
     }
 
-    /// [`gauge`](Self::gauge) within four units in the last place, counting its operations.
-    pub(super) fn nearest_gauge(&self, tally: &mut dyn Tally) -> Gauge<3> {
+    /// [`gauge`](Self::gauge) with the proof as it was found.
+    pub(super) fn measured(&self, tally: &mut dyn Tally) -> Gauge<3, Location<3, Coefficients>> {
+        let (value, error) = self.value();
+        Gauge { value, error, location: self.located(tally) }
+    }
+
+    /// [`measured`](Self::measured) within four units in the last place.
+    pub(super) fn nearly_measured(&self, tally: &mut dyn Tally) -> Gauge<3, Location<3, Coefficients>> {
         let (value, error) = nearest_gauge(self.query, &self.optimum, tally);
-        Gauge { value, error, location: self.location(tally) }
+        Gauge { value, error, location: self.located(tally) }
     }
 
     /// The location of the displacement, with its proof. O(n) for a member, else O(1) nearly always.
     pub fn location(&self, tally: &mut dyn Tally) -> Location<3> {
-        of_optimum::location(self.query, &self.optimum, tally)
+        self.located(tally).written(self.query)
+    }
+
+    fn located(&self, tally: &mut dyn Tally) -> Location<3, Coefficients> {
+        of_optimum::proof(self.query, &self.optimum, None, tally).counted(tally)
     }
 
     /// The gauge by exact arithmetic on all generators: the truth that the others are held to.

@@ -63,6 +63,7 @@ pub(in crate::collision) mod tests;
 
 use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
+use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::tally::Tally;
 use crate::zonotope::location::Coefficients;
@@ -96,7 +97,8 @@ pub(crate) fn decide<const D: usize, P: Standing>(
 /// The gauge of a displacement and where it lies.
 pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
     const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
-    measured(query, tally).expect("the kernel answers up to four dimensions")
+    let gauge = measured(query, tally).expect("the kernel answers up to four dimensions");
+    gauge.map(|location| location.written_for(query))
 }
 
 /// The gauge as answers of bodies have it: within four units in the last place, its proof with the doubles nearest to
@@ -105,7 +107,8 @@ pub fn gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut d
 /// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.
 pub fn nearest_gauge<const D: usize, P: Standing>(query: &Query<'_, D, P>, tally: &mut dyn Tally) -> Gauge<D> {
     const { assert!(is_answered(D), "the kernel answers up to four dimensions") }
-    nearly_measured(query, tally).expect("the kernel answers up to four dimensions")
+    let gauge = nearly_measured(query, tally).expect("the kernel answers up to four dimensions");
+    gauge.map(|location| location.written_for(query).with_nearest_basis(query))
 }
 
 /// [`decide`] for callers of any dimension; `None` where the kernel does not answer.
@@ -137,45 +140,54 @@ pub(crate) fn located<const D: usize, P: Standing>(
     Some(Location::of_space(ladder::locate(&query.in_dimension::<3>()?, tally)))
 }
 
-/// [`gauge`] for callers of any dimension; `None` where the kernel does not answer.
+/// [`gauge`] for callers of any dimension, the proof as it was found; `None` where the kernel does not answer.
 pub(crate) fn measured<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
     tally: &mut dyn Tally,
-) -> Option<Gauge<D>> {
-    read_off(query, |facet, tally| facet.gauge(tally), tally)
+) -> Option<Gauge<D, Location<D, Coefficients>>> {
+    read_off(query, |query, tally| Facet::find(query, tally).measured(tally), tally)
 }
 
-/// [`nearest_gauge`] for callers of any dimension; `None` where the kernel does not answer.
+/// [`nearest_gauge`] for callers of any dimension, the proof as it was found; `None` where the kernel does not answer.
 #[inline(never)]
 pub(crate) fn nearly_measured<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
     tally: &mut dyn Tally,
-) -> Option<Gauge<D>> {
-    Some(read_off(query, |facet, tally| facet.nearest_gauge(tally), tally)?.with_nearest_basis(query))
+) -> Option<Gauge<D, Location<D, Coefficients>>> {
+    read_off(query, ladder::nearest_gauge, tally)
 }
 
-/// The gauge of a displacement as a function reads it off the facet; one of R^4 as [`by_lad_in_r4`] has it.
+/// A gauge of space, as a function reads it off the facet in which the ray along the displacement leaves the body.
+type GaugeOfSpace = fn(&dyn KernelQuery, &mut dyn Tally) -> Gauge<3, Location<3, Coefficients>>;
+
+/// The gauge of a displacement by a function for those of space; one of R^4 as [`by_lad_in_r4`] has it.
 fn read_off<const D: usize, P: Standing>(
     query: &Query<'_, D, P>,
-    of: fn(&Facet<'_>, &mut dyn Tally) -> Gauge<3>,
+    of: GaugeOfSpace,
     tally: &mut dyn Tally,
-) -> Option<Gauge<D>> {
+) -> Option<Gauge<D, Location<D, Coefficients>>> {
     let own = query.len();
     if !is_answered(D) {
         return None;
     }
+    let as_found = |location: Location<D>| location.map(Coefficients::from);
     if let Some(query) = query.at_rest() {
         if let Some(query) = query.in_dimension::<4>() {
-            return Some(by_lad_in_r4::gauge(&query, &mut &mut *tally).lowered(own));
+            return Some(by_lad_in_r4::gauge(&query, &mut &mut *tally).lowered(own).map(as_found));
         }
         if let Some(scaled) = Scaled::of(&query) {
-            return read_off(&scaled.query(), of, tally);
+            // products with the rows themselves may leave the range of doubles
+            let query = scaled.query();
+            return Some(read_off(&query, of, tally)?.map(|location| as_found(location.written_for(&query))));
         }
         if D < 3 {
-            return Some(of(&Facet::find(&Prism::over(&query).query(), tally), tally).lowered(own));
+            let prism = Prism::over(&query);
+            let query = prism.query();
+            let gauge = of(&query, tally);
+            return Some(gauge.map(|location| as_found(location.written(&query).lowered(own))));
         }
     }
-    Some(of(&Facet::find(&query.in_dimension::<3>()?, tally), tally).lowered(own))
+    Some(of(&query.in_dimension::<3>()?, tally).map(Location::of_space))
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)

@@ -2,7 +2,7 @@
 //! for.
 
 use crate::collision::Query;
-use crate::zonotope::location::{Coefficients, Location, Separation, SignRule, Status};
+use crate::zonotope::location::{Coefficients, Gauge, Location, Separation, SignRule, Status};
 use crate::zonotope::pose::{AtRest, Standing};
 
 /// The place of a displacement relative to the bodies that it was asked about, with a proof that was not written out.
@@ -66,6 +66,13 @@ impl<'q, const D: usize, P: Standing> Located<'q, D, P> {
     /// separating direction. O(n) for a member: a pass over the generators, and a slower one for the last digits.
     pub fn expand(&self) -> Location<D> {
         self.location.clone().written_for(&self.query).with_nearest_basis(&self.query)
+    }
+}
+
+impl<const D: usize, P: Standing> Gauge<D, Located<'_, D, P>> {
+    /// The gauge with the proof that a verifier takes as it stands, that of [`Located::expand`]. O(n) for a member.
+    pub fn expand(&self) -> Gauge<D> {
+        Gauge { value: self.value, error: self.error, location: self.location.expand() }
     }
 }
 

@@ -139,7 +139,9 @@ impl Method {
         tally: &mut dyn Tally,
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
-            Self::ByLad => by_lad::measured(question, tally),
+            Self::ByLad => {
+                by_lad::measured(question, tally).map(|gauge| gauge.map(|location| location.written_for(question)))
+            }
             Self::ByExplicitFaces => {
                 let counted = &mut &mut *tally;
                 in_dimensions!([1 2 3], question, by_explicit_faces::gauge(question, counted)?)
@@ -162,10 +164,11 @@ impl Method {
             Self::ByLad => by_lad::nearly_measured(question, &mut ()),
             _ => None,
         };
-        match by_kernel {
-            Some(gauge) => Ok(gauge),
-            None => Ok(self.gauge(question, &mut ())?.with_nearest_basis(question)),
-        }
+        let gauge = match by_kernel {
+            Some(gauge) => gauge.map(|location| location.written_for(question)),
+            None => self.gauge(question, &mut ())?,
+        };
+        Ok(gauge.with_nearest_basis(question))
     }
 }
 

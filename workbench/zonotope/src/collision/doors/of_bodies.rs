@@ -33,16 +33,18 @@ impl<const D: usize> Zonotope<D> {
     }
 
     /// The gauge of a point: how many times the body must be taken, from its centre, to hold it, within four units in
-    /// the last place; with the proof of where the point lies. The cost is that of [`locate`](Self::locate), and a pass
-    /// or two over the generators for the last digits.
+    /// the last place; with the location of the point, whose coefficients are written by [`Gauge::expand`]. The cost is
+    /// that of [`locate`](Self::locate), and a pass or two over the generators for the last digits.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D>, NonFinite> {
+    pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D, Located<'_, D>>, NonFinite> {
         let query = Query::of_point(point, self)?;
-        let gauge =
-            by_lad::nearly_measured(&query, &mut ()).map_or_else(|| Method::BruteForce.nearest_gauge(&query), Ok);
-        Ok(gauge.expect("brute force measures every displacement"))
+        let gauge = by_lad::nearly_measured(&query, &mut ()).unwrap_or_else(|| {
+            let gauge = Method::BruteForce.gauge(&query, &mut ()).expect("brute force measures every displacement");
+            gauge.map(|location| location.map(Coefficients::from))
+        });
+        Ok(gauge.map(|location| Located::new(query, location)))
     }
 
     /// Whether two closed bodies have a point in common, exactly; bodies that touch do. The cost is that of

@@ -2,7 +2,7 @@
 //! pose is part of the question, and exact like it.
 
 use crate::collision::Located;
-use crate::collision::by_lad::{decide, nearest_gauge};
+use crate::collision::by_lad::{decide, nearly_measured};
 use crate::collision::distance::penetration::{Penetration, by_inner_polytope};
 use crate::collision::distance::{Proximity, by_support_simplex};
 use crate::numeric::non_finite::NonFinite;
@@ -31,12 +31,15 @@ impl<'a, P: Standing> Placed<'a, 3, P> {
         Ok(Located::new(query, location))
     }
 
-    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it. O(n) expected.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it; with the location of
+    /// the point. O(n) expected; the coefficients are written by [`Gauge::expand`].
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
-        Ok(nearest_gauge(&Query::of_point_in(point, *self)?, &mut ()))
+    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3, Located<'a, 3, P>>, NonFinite> {
+        let query = Query::of_point_in(point, *self)?;
+        let gauge = nearly_measured(&query, &mut ()).expect("the kernel answers in space");
+        Ok(gauge.map(|location| Located::new(query, location)))
     }
 
     /// Whether two closed bodies have a point in common where they stand, exactly. O(n) expected.
@@ -99,11 +102,12 @@ impl PreparedBody {
         self.placed().locate(point)
     }
 
-    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it. O(n) expected.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it; with the location of
+    /// the point. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
+    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3, Located<'_, 3>>, NonFinite> {
         self.placed().gauge(point)
     }
 
@@ -159,7 +163,9 @@ mod tests {
             let point = [0.25, 0.25, factor];
             assert_eq!(prepared.locate(point).map(|location| location.status()), Ok(status));
             assert_eq!(prepared.contains(point), Ok(factor <= 1.0));
-            assert_eq!(prepared.gauge(point), cube.gauge(point));
+            let [of_prepared, own] =
+                [prepared.gauge(point), cube.gauge(point)].map(|gauge| gauge.map(|gauge| gauge.expand()));
+            assert_eq!(of_prepared, own);
             let other = cube.translated(point.map(|c| 2.0 * c)).expect("finite");
             assert_eq!(prepared.intersection(&other).expand(), cube.intersection(&other).expand());
             assert_eq!(prepared.intersects(&PreparedBody::new(other.clone())), factor <= 1.0);

@@ -6,7 +6,6 @@
 //! take a pass over the generators in any case.
 
 use super::located::Located;
-use crate::collision::by_lad::nearest_gauge;
 use crate::collision::prepared::QueryStructure;
 use crate::collision::prepared::choice::Kind;
 use crate::numeric::non_finite::NonFinite;
@@ -71,18 +70,18 @@ impl PreparedFor {
         Ok(Located::new(Query::of_point_in(point, body)?, location.map(Coefficients::from)))
     }
 
-    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it; with the proof of
-    /// where the point lies.
+    /// The gauge of a point: how many times the body must be taken, from its centre, to hold it; with the location of
+    /// the point. The proof of a tree's answer is written at once.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
-    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
-        let Some(tree) = self.structure.tree() else {
-            return Ok(nearest_gauge(&Query::of_point_in(point, Placed::from(self))?, &mut ()));
-        };
+    pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3, Located<'_, 3>>, NonFinite> {
+        let body = Placed::from(self);
+        let Some(tree) = self.structure.tree() else { return body.gauge(point) };
         let measured = tree.gauge(point, &mut ())?;
         let (value, error) = measured.nearest_value();
-        Ok(Gauge { value, error, location: measured.location.expand() })
+        let location = measured.location.expand().map(Coefficients::from);
+        Ok(Gauge { value, error, location: Located::new(Query::of_point_in(point, body)?, location) })
     }
 
     /// Whether two closed bodies have a point in common, exactly; the other one may be prepared or not.
@@ -134,10 +133,10 @@ mod tests {
                 let is_near =
                     gauge.value == truth.value || (gauge.value - truth.value).abs() <= gauge.error + truth.error;
                 assert!(is_near, "{kind:?}: {} {}", gauge.value, truth.value);
-                for location in [prepared.locate(point).expect("finite").expand(), gauge.location] {
+                for location in [prepared.locate(point).expect("finite"), gauge.location] {
                     assert_eq!(location.status(), status, "{kind:?}");
                     let query = Query::of_point(point, &body).expect("finite");
-                    assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
+                    assert_eq!(check_location(&query, &location.expand()).proof().map(drop), Ok(()));
                 }
                 let other = body.translated(point).expect("finite");
                 assert_eq!(prepared.intersection(&other).expand(), body.intersection(&other).expand());

@@ -19,10 +19,17 @@ use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
-use crate::numeric::lanes::absolute_sum_in_pairs;
+use crate::numeric::lanes::number::product;
+use crate::numeric::lanes::{absolute_sum_in_pairs, extreme_sum_in_pairs};
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, NARROW_SLACK, NEAREST_GAUGE, UNIT};
 use crate::tally::{Operation, Tally};
+
+/// The thickness of the body is bounded from one generator in 16 first, then from all.
+const THICKNESS_SHARES: [usize; 2] = [16, 1];
+
+/// Coefficients that are beyond ±1 by so much are not those of the facet in which the ray leaves the body.
+const FAR_BEYOND: f64 = 1e-6;
 
 /// A vector known by pairs of doubles.
 type PairVector = [BoundedDoubleDouble; 3];
@@ -44,8 +51,40 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
     if decided.optimum.is_near_vertex() {
         return None;
     }
-    let in_pairs = if query.has_exact_sums() { None } else { along_pairs(query, decided, tally) };
-    in_pairs.or_else(|| along_exact(query, decided, tally))
+    if !query.has_exact_sums() {
+        let optimum = &decided.optimum;
+        let is_usual = optimum.missing == 0.0 && optimum.shares.is_empty();
+        let by_signs = if is_usual { gauge_by_pair(query, optimum.basis, tally) } else { None };
+        if let Some(found) = by_signs.or_else(|| along_pairs(query, decided, tally)) {
+            return Some(found);
+        }
+    }
+    along_exact(query, decided, tally)
+}
+
+/// The gauge of a displacement whose ray leaves the body through the facet that two generators span, of which nothing
+/// has to be known beforehand; none where it does not, or another generator is so nearly parallel to the facet that its
+/// sign is not certain. One pass.
+pub(crate) fn gauge_by_pair(query: &dyn KernelQuery, basis: [usize; 2], tally: &mut dyn Tally) -> Option<(f64, f64)> {
+    let (parts, p) = (query.parts(), query.displacement_pairs());
+    let pair = basis.map(|index| of_row(&parts, index, Part::image_in_pairs));
+    let normal = cross(&pair[0], &pair[1]);
+    let direction = if dot(&p, &normal).sign()? < 0 { normal.map(BoundedDoubleDouble::negated) } else { normal };
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let of_part = |part: &Part<'_>| extreme_sum_in_pairs(part.rows, &part.pair_pulled(&direction));
+    let sums = parts.each_ref().map(of_part);
+    // the two themselves are orthogonal to the direction
+    if sums[0].doubtful + sums[1].doubtful > basis.len() {
+        return None;
+    }
+    let [own, others] = [0, 1].map(|k| parts[k].pair_image(&sums[k].sum));
+    let rounded = |part: &Part<'_>| part.pair_pulled(&direction).map(|c| c.high);
+    let sign = |index| of_row(&parts, index, |part, v| product(v, &rounded(part)).signum());
+    let signs = basis.map(|index| BoundedDoubleDouble::exact(sign(index)));
+    let sum = [0, 1, 2].map(|k| own[k] + others[k] - pair[0][k] * signs[0] - pair[1][k] * signs[1]);
+    let reach = dot(&sum, &direction);
+    let quotient = (dot(&p, &direction) / reach).rounded();
+    within(quotient.value, quotient.error, Beyond::new(&sum, &pair, &p, &direction, reach).narrow_slack(query))
 }
 
 /// The gauge from the direction in pairs of doubles. One pass, and a second one where the vertex is not certain.
@@ -151,8 +190,14 @@ impl Beyond {
 
     /// The slack, with a bound of the gauge of any x where that is needed to make it narrow.
     fn narrow_slack(&self, query: &dyn KernelQuery) -> f64 {
-        let wide = self.slack(1.0);
-        if wide <= NARROW_SLACK { wide } else { wide.min(self.slack(unit_gauge_bound(query, 1))) }
+        let mut slack = self.slack(1.0);
+        for share in THICKNESS_SHARES {
+            // two roundings are within the error of an answer, and what is far beyond is so with every bound
+            if (2.0 * UNIT..FAR_BEYOND).contains(&slack) {
+                slack = slack.min(self.slack(unit_gauge_bound(query, share)));
+            }
+        }
+        slack
     }
 }
 

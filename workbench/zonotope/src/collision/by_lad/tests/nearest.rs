@@ -20,7 +20,7 @@ fn check(name: &str, n: usize, found: (f64, f64), truth: f64) {
     }
 }
 
-fn of<const D: usize>(gauge: &Gauge<D>) -> (f64, f64) {
+fn of<const D: usize, L>(gauge: &Gauge<D, L>) -> (f64, f64) {
     (gauge.value, gauge.error)
 }
 

@@ -6,31 +6,20 @@
 //! ρ), and the gauge of any x is at most s |x|_1.
 
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
+use crate::lad::of_generators::seam::part::Part;
+use crate::numeric::lanes::body_sums::{add_square, are_known, squares, weighted};
+use crate::numeric::lanes::number::Units;
+use crate::numeric::lanes::octet::LANES;
+use crate::numeric::lanes::rows::count_of;
 use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 use crate::numeric::tolerance::{MODERATE_SIZES, UNIT};
-
-/// Generators read side by side.
-const LANES: usize = 8;
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
 pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
     if let Some(known) = query.known_gauge_bound() {
         return known;
     }
-    let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
-    let mut count = 0;
-    for source in query.parts() {
-        // the last ones are always read: they may be the only ones that lead out of a plane
-        for part in source.rows.list().chunks(LANES).rev().step_by(share) {
-            count += part.len();
-            for [x, y, z] in part.iter().map(|v| source.image(v)) {
-                let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);
-                let [wx, wy, wz] = [weight * x, weight * y, weight * z];
-                (xx, xy, xz) = (xx + wx * x, xy + wx * y, xz + wx * z);
-                (yy, yz, zz) = (yy + wy * y, yz + wy * z, zz + wz * z);
-            }
-        }
-    }
+    let ([xx, xy, xz, yy, yz, zz], count) = weighted_squares(&query.parts(), share);
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
     let determinant = dot(&rows[0], &minors[0]);
@@ -51,6 +40,27 @@ pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
     let bound = size / (1.0 - 3.0 * rest) * (1.0 + 16.0 * UNIT);
     let is_sound = rest < 0.25 && MODERATE_SIZES.contains(&(xx + yy + zz)) && bound > 0.0;
     if is_sound { bound } else { f64::INFINITY }
+}
+
+/// The entries of W on and above the diagonal, and the number of generators that are read: all of them where their sum
+/// is known, as that of a body which was prepared is.
+fn weighted_squares(parts: &[Part<'_>; 2], share: usize) -> ([f64; 6], usize) {
+    let runs = parts.map(|part| part.rows);
+    let are_at_rest = parts.iter().all(|part| part.frame.is_none());
+    if are_at_rest && (share == 1 || are_known(runs)) {
+        return (squares::<true>(runs), count_of(runs));
+    }
+    let (mut sums, mut count) = ([0.0; 6], 0);
+    for source in parts {
+        // the last ones are always read: they may be the only ones that lead out of a plane
+        for part in source.rows.list().chunks(LANES).rev().step_by(share) {
+            count += part.len();
+            for v in part.iter().map(|v| source.image(v)) {
+                add_square(&mut sums, &weighted::<_, true>(&v, &Units::SINGLE), &v);
+            }
+        }
+    }
+    (sums, count)
 }
 
 #[cfg(test)]
