@@ -44,8 +44,15 @@ const STRICT_CHANGE: f64 = 1e-4;
 /// for.
 const SETTLED_CHANGE: f64 = 0.5;
 
+/// The bands of an approach.
+const APPROACH_BANDS: usize = 2;
+
 /// The most steps of an approach.
-const APPROACH_STEPS: usize = 2;
+const APPROACH_STEP_LIMIT: usize = 6;
+
+/// The mean square of the change of the lines' distances, in terms of the band, above which another step of an approach
+/// is taken with the same band.
+const STEADY_APPROACH: f64 = 0.5;
 
 /// The least number of lines in the band of a step of an approach.
 const THINNEST_APPROACH: f64 = 8.0;
@@ -111,17 +118,25 @@ impl RoundedLines {
     /// a better guess.
     pub(crate) fn approach(&self, linear: [f64; 2], start: Option<([f64; 2], f64)>) -> Option<Approach> {
         let (mut point, mut band) = start.or_else(|| self.least_squares())?;
-        let mut deviation = band;
-        for _ in 0..APPROACH_STEPS {
+        let (mut deviation, mut thinned) = (band, 0);
+        for _ in 0..APPROACH_STEP_LIMIT {
             let moments = self.moments(point, band);
             if moments.count < THINNEST_APPROACH {
                 break;
             }
             let gradient = [moments.gradient[0] + linear[0], moments.gradient[1] + linear[1]];
             let Some(newton) = solve(&moments.hessian, gradient) else { break };
-            point = [point[0] - newton[0], point[1] - newton[1]];
+            let step = Step::new(point, newton, gradient);
+            point = step.end();
+            if step.change(&moments) > STEADY_APPROACH {
+                continue;
+            }
             deviation = band * (self.len() as f64 / 3.0).sqrt() / moments.count;
             band *= (BAND_OF_DEVIATIONS / moments.count.sqrt()).min(0.5);
+            thinned += 1;
+            if thinned == APPROACH_BANDS {
+                break;
+            }
         }
         Some(Approach { point, band, deviation })
     }

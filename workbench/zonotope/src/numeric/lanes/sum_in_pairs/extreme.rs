@@ -17,6 +17,7 @@ use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::tolerance::{PRODUCT_UNDERFLOW, SIGN_OF_ROUNDED_DIRECTION};
 
 /// A sum of vectors with signs.
+#[derive(Debug, Clone)]
 pub(crate) struct ExtremeSum {
     /// Σ ± v.
     pub(crate) sum: [BoundedDoubleDouble; 3],
