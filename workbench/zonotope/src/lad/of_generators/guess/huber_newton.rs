@@ -44,11 +44,15 @@ const STRICT_CHANGE: f64 = 1e-4;
 /// for.
 const SETTLED_CHANGE: f64 = 0.5;
 
-/// The bands of an approach.
+/// The least number of bands of an approach.
 const APPROACH_BANDS: usize = 2;
 
+/// A band that holds this part of the lines is followed by another: many lines nearly meet, and among them a descent
+/// would begin far from the minimum.
+const CROWDED_BAND: f64 = 0.25;
+
 /// The most steps of an approach.
-const APPROACH_STEP_LIMIT: usize = 6;
+const APPROACH_STEP_LIMIT: usize = 12;
 
 /// The mean square of the change of the lines' distances, in terms of the band, above which another step of an approach
 /// is taken with the same band.
@@ -134,7 +138,7 @@ impl RoundedLines {
             deviation = band * (self.len() as f64 / 3.0).sqrt() / moments.count;
             band *= (BAND_OF_DEVIATIONS / moments.count.sqrt()).min(0.5);
             thinned += 1;
-            if thinned == APPROACH_BANDS {
+            if thinned >= APPROACH_BANDS && moments.count < CROWDED_BAND * self.len() as f64 {
                 break;
             }
         }
