@@ -1,6 +1,6 @@
 //! Gauge and separating plane: how many times a body must be taken to hold a point, and the plane that parts them.
 
-use zonotope::{Location, Separation, Zonotope};
+use zonotope::{Separation, Zonotope};
 
 /// Asks, prints and asserts.
 pub fn main() {
@@ -13,7 +13,7 @@ pub fn main() {
     println!("the body must be taken {} times, within {}", gauge.value, gauge.error);
     assert!((gauge.value - 3.0).abs() <= gauge.error);
 
-    let Location::Outside(Separation::Rounded(normal)) = gauge.location else {
+    let Some(&Separation::Rounded(normal)) = gauge.location.separation() else {
         unreachable!("a point of gauge above 1 is outside, and here with room for a plane of doubles");
     };
     let along = |v: [f64; 3]| v.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
