@@ -10,6 +10,8 @@ use crate::numeric::tolerance::{LONG_SUM, UNIT};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extents<const D: usize> {
     count: usize,
+    /// The additions that a term of a pass goes through.
+    additions: f64,
     sums: [f64; D],
 }
 
@@ -25,7 +27,16 @@ impl<const D: usize> Extents<D> {
             }
         }
         let count = generators.len();
-        Self { count, sums: sums.map(|lanes| (joined(lanes) * (1.0 + 2.0 * additions(count) * UNIT)).next_up()) }
+        let additions = additions(count);
+        let rounded_up = |lanes| (joined(lanes) * (1.0 + 2.0 * additions * UNIT)).next_up();
+        Self { count, additions, sums: sums.map(rounded_up) }
+    }
+
+    /// The bounds for passes over blocks of at most so many generators, whose sums are added one to another.
+    pub(crate) fn in_blocks_of(self, size: usize) -> Self {
+        let blocks = self.count.div_ceil(size);
+        let additions = if blocks > 1 { additions(size) + blocks as f64 } else { self.additions };
+        Self { additions, ..self }
     }
 
     /// Upper bounds of Σ |g_k|, one a coordinate; infinite where the sum leaves the range of doubles.
@@ -45,7 +56,7 @@ impl<const D: usize> Extents<D> {
     pub fn error(&self, direction: &[f64; D], value: f64) -> f64 {
         let dimension = D as f64;
         let magnitude: f64 = self.sums.iter().zip(direction).map(|(sum, u)| sum * u.abs()).sum();
-        let relative = UNIT * (2.0 * (dimension + 1.0) * magnitude + additions(self.count) * value.abs());
+        let relative = UNIT * (2.0 * (dimension + 1.0) * magnitude + self.additions * value.abs());
         let underflow = f64::from_bits(1) * 4.0 * (self.count as f64 + 1.0) * (dimension + 1.0);
         finite_or_infinity(relative * LONG_SUM + underflow)
     }
@@ -53,7 +64,7 @@ impl<const D: usize> Extents<D> {
     /// A bound for the error of each coordinate of [`extreme_sum`](super::extreme_sum), against the exact sum with the
     /// same signs.
     pub fn point_error(&self) -> [f64; D] {
-        self.sums.map(|sum| finite_or_infinity((additions(self.count) * UNIT * sum).next_up()))
+        self.sums.map(|sum| finite_or_infinity((self.additions * UNIT * sum).next_up()))
     }
 }
 
@@ -119,6 +130,20 @@ mod tests {
     }
 
     #[test]
+    fn sums_of_blocks_keep_bounds_of_their_own() {
+        let generators: Vec<[f64; 3]> = (1..3000).map(|i| [1, 7, 31].map(|k| 0.1 + 1.0 / f64::from(i * k))).collect();
+        let sums = generators.chunks(256).map(|block| extreme_sum(block, &[1.0; 3]));
+        let sum = sums.reduce(|a, b| [0, 1, 2].map(|k| a[k] + b[k])).expect("there are blocks");
+        let whole = Extents::new(&generators);
+        let bounds = whole.in_blocks_of(256).point_error();
+        for k in 0..3 {
+            let exact = generators.iter().fold(Dyadic::zero(), |s, g| s + Dyadic::from_f64(g[k]));
+            assert!((exact - Dyadic::from_f64(sum[k])).abs() <= Dyadic::from_f64(bounds[k]));
+            assert!(7.0 * bounds[k] < whole.point_error()[k]);
+        }
+    }
+
+    #[test]
     fn overflow_is_never_called_certain() {
         let generators = [[f64::MAX, f64::MAX, 0.0]; 3];
         let value = absolute_sum(&generators, &[1.0, 1.0, 0.0]);
@@ -143,6 +168,10 @@ mod tests {
         // 2 · 3 · (0.5 · 48 + 2 · 64) + 7 · 16 · |1.5 − 8|
         let error = extents.error(&[0.5, -2.0], 104.0) / UNIT;
         assert!((1640.0..1640.01).contains(&error), "{error}");
+        // the sums of two blocks of one octet each are added: a term goes through 6 + 2 additions
+        let in_blocks = extents.in_blocks_of(8).point_error()[0];
+        assert!(within(in_blocks, 8.0 * 48.0 * UNIT, 14.0), "{in_blocks}");
+        assert_eq!(extents.in_blocks_of(16), extents);
         // four denormal steps for each of 3 generators and 3 dimensions
         assert_eq!(Extents::new(&[[0.0; 2]; 2]).error(&[0.0; 2], 0.0), f64::from_bits(36));
     }
