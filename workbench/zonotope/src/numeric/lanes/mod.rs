@@ -13,7 +13,7 @@
 //! | `row_products` | dot products of rows of any length |
 //! | `signed_factors` | the coefficients of an extreme point, made smaller |
 //! | `bounded_sum/along` | support functions and extreme vertices along a few directions at once |
-//! | `sum_in_pairs` | the support function and extreme vertices to twice the digits of a double |
+//! | `sum_in_pairs` | the support function and extreme vertices to twice the digits of a double, or exactly |
 //! | [`layout`] | how vectors lie in memory: rows, eights of them, blocks |
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
 
@@ -46,4 +46,4 @@ pub(crate) use extreme_sum::extreme_sum_of;
 pub(crate) use first_orthogonal::first_orthogonal;
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};
 pub(crate) use signed_factors::signed_factors;
-pub(crate) use sum_in_pairs::{absolute_sum_in_pairs, extreme_sum_in_pairs};
+pub(crate) use sum_in_pairs::{Along, absolute_sum_in_pairs, add_extreme_exactly, extreme_sum_in_pairs};

@@ -5,9 +5,11 @@
 //! The large parts of all products are summed up with what each addition rounds off, the small parts as they are. That
 //! is more arithmetic than a pass in doubles has, on generators that are read once as well.
 
+mod exact;
 mod extreme;
 pub(crate) mod pair_lanes;
 
+pub(crate) use exact::{Along, add_extreme_exactly};
 pub(crate) use extreme::extreme_sum_in_pairs;
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};

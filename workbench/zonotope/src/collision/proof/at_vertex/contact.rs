@@ -7,17 +7,14 @@
 //! and one exact determinant, where a search in exact arithmetic takes hundreds of operations. At an edge
 //! or a corner of the facet some coefficients are exactly 1 or −1: there the two are solved for exactly.
 
-use std::cmp::Ordering;
-
-use crate::collision::proof::vectors::{SumErrors, Vectors, cross_terms, minus};
+use super::facet_plane::{Plane, Split};
+use crate::collision::proof::vectors::{SumErrors, Vectors, minus};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::seam::kernel_query::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::linear::{cross, dot};
-use crate::numeric::orientation::in_space::determinant_sign_of_rows;
 use crate::numeric::reused::Reused;
-use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::Rung;
 use crate::zonotope::location::{Proof, Witness};
 
@@ -36,44 +33,16 @@ pub(super) fn touching(
     signs: &mut [f64],
     errors: &SumErrors<'_>,
 ) -> Option<Proof> {
-    let [a, b] = pair.map(|i| vectors.value(i));
-    let area = cross_terms(&vectors.vector(pair[0]), &vectors.vector(pair[1]));
-    let are_rows = vectors.parts.iter().all(|part| part.frame.is_none());
-    let exact_pair = pair.map(|i| query.exact_generator(i));
-    let normal = exact_linear::cross(&exact_pair[0], &exact_pair[1]);
-    let mut members = Reused::with_capacity(8);
-    let (mut third, mut height) = (None, 0.0);
-    for (i, v) in vectors.iter().enumerate() {
-        let along = dot(&v.value, u);
-        if along.abs() > vectors.determinant_error * dot(&v.size, &area) + PRODUCT_UNDERFLOW {
-            signs[i] = along.signum();
-            if along.abs() > height {
-                (third, height) = (Some(i), along.abs());
-            }
-            continue;
-        }
-        let order = if are_rows {
-            determinant_sign_of_rows(&a, &b, &v.value)
-        } else {
-            exact_linear::dot(&normal, &query.exact_generator(i)).sign()
-        };
-        match order {
-            Ordering::Equal => members.push(i),
-            order => signs[i] = if (order == Ordering::Greater) != is_reversed { 1.0 } else { -1.0 },
-        }
-    }
-    let third = third?;
-    let mut is_member = Reused::with_capacity(signs.len());
-    is_member.resize(signs.len(), 0u32);
-    members.iter().for_each(|&i| is_member[i] = 1);
-    let mut off_plane = (0..signs.len()).filter(|&i| is_member[i] == 0).map(|i| (i, signs[i] as i8));
-    let left = exact_linear::difference(&query.exact(), &query.signed_sum_of(&mut off_plane));
+    let Split { members, sum, third } = Plane { query, vectors, pair, u, is_reversed }.split(signs)?;
+    let [a, b] = pair.map(|i| query.exact_generator(i));
+    let (normal, left) = (exact_linear::cross(&a, &b), exact_linear::difference(&query.exact(), &sum));
     if !exact_linear::dot(&normal, &left).is_zero() {
         return None;
     }
     let rounded = left.each_ref().map(Dyadic::to_f64);
     let mut pair = pair;
     if members.len() > 2 {
+        let [a, b] = pair.map(|i| vectors.value(i));
         let duals = [cross(&b, u), cross(u, &a)];
         let own = [dot(&a, &duals[0]), dot(&b, &duals[1])];
         let plane = |v: &[f64; 3]| [dot(v, &duals[0]) / own[0], dot(v, &duals[1]) / own[1]];
