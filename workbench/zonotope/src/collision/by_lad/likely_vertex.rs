@@ -9,7 +9,7 @@
 //!
 //! After the steps the optimum is nearer than all but some dozens of lines, and the descent goes on among these alone.
 
-use crate::lad::of_generators::guess::huber_newton::Approach;
+use crate::lad::of_generators::guess::approach::Approach;
 use crate::lad::of_generators::guess::near_rows::NearRows;
 use crate::lad::of_generators::guess::sample::Sample;
 use crate::lad::of_generators::guess::vertex_descent::descend;

@@ -29,7 +29,7 @@ use crate::tally::{Operation, Tally};
 const THICKNESS_SHARES: [usize; 2] = [16, 1];
 
 /// Coefficients that are beyond ±1 by so much are not those of the facet in which the ray leaves the body.
-const FAR_BEYOND: f64 = 1e-6;
+const EXCESS_LIMIT: f64 = 1e-6;
 
 /// A vector known by pairs of doubles.
 type PairVector = [BoundedDoubleDouble; 3];
@@ -193,7 +193,7 @@ impl Beyond {
         let mut slack = self.slack(1.0);
         for share in THICKNESS_SHARES {
             // two roundings are within the error of an answer, and what is far beyond is so with every bound
-            if (2.0 * UNIT..FAR_BEYOND).contains(&slack) {
+            if (2.0 * UNIT..EXCESS_LIMIT).contains(&slack) {
                 slack = slack.min(self.slack(unit_gauge_bound(query, share)));
             }
         }

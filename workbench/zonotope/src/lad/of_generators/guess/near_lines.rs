@@ -63,7 +63,7 @@ fn split<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], band: f64, ro
 
 #[cfg(test)]
 mod tests {
-    use crate::lad::of_generators::guess::huber_newton::Approach;
+    use crate::lad::of_generators::guess::approach::Approach;
     use crate::lad::of_generators::plane::in_doubles::RoundedChart;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
