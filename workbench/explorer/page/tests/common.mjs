@@ -1,8 +1,8 @@
 // What every chapter owes its readers: presets, links, undo, downloads, takeaways, own data, slides.
 import { readFileSync } from "node:fs";
-import { holds, same, text } from "./kit.mjs";
+import { copiedBy, holds, same, text } from "./kit.mjs";
 
-export const options = { acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"] };
+export const options = { acceptDownloads: true };
 
 const OWN = {
   "smallest-zonogon": "x,y\n0,0\n2,0\n0,2\n3,1\n",
@@ -29,8 +29,7 @@ export async function test(opened, library, { ids }) {
     // A link brings the state back.
     await opened.preset(presets[2]);
     const told = await opened.state();
-    await page.getByRole("button", { name: "Copy link" }).click();
-    const link = await page.evaluate(() => navigator.clipboard.readText());
+    const link = await copiedBy(page, "Copy link");
     await page.goto("about:blank");
     await page.goto(link);
     await page.waitForSelector(`article#${id} figure`);
@@ -44,12 +43,10 @@ export async function test(opened, library, { ids }) {
     holds(text(await opened.state()) !== text(told), `${id}: redo goes on`);
 
     // The command holds a question that the library answers.
-    await page.getByRole("button", { name: "Copy as command" }).click();
-    const command = await page.evaluate(() => navigator.clipboard.readText());
+    const command = await copiedBy(page, "Copy as command");
     const question = /^printf '%s\\n' '(.*)' \| zonobench solve$/.exec(command)?.[1];
     holds(question && JSON.parse(library.call("answer", question)).result, `${id}: the command is answered`);
-    await page.getByRole("button", { name: "Copy as JSON" }).click();
-    JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+    JSON.parse(await copiedBy(page, "Copy as JSON"));
 
     // Downloads are pictures.
     for (const [kind, begins] of [

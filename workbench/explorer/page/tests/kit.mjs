@@ -25,6 +25,17 @@ export function launch() {
   });
 }
 
+/** The text that a button copies. Pages of one browser share its clipboard, so the text is taken before it is there. */
+export async function copiedBy(page, name) {
+  await page.evaluate(() => {
+    window.copied = new Promise((take) => {
+      navigator.clipboard.writeText = async (text) => take(text);
+    });
+  });
+  await page.getByRole("button", { name }).click();
+  return page.evaluate(() => window.copied);
+}
+
 /** The library in Node: the same module, without the page. */
 export class Library {
   static async open(path) {

@@ -1,5 +1,5 @@
 // The chapter in a browser: answers and gauges are the library's, and the proof changes its kind at the boundary.
-import { holds, same } from "../../../tests/kit.mjs";
+import { copiedBy, holds, same } from "../../../tests/kit.mjs";
 
 export const id = "inside";
 
@@ -63,11 +63,7 @@ export async function test(opened, library) {
 
   // The point goes along with the body.
   await opened.preset("A point in a cube");
-  await page.evaluate(() => {
-    navigator.clipboard.writeText = async (text) => void (window.copied = text);
-  });
-  await page.getByRole("button", { name: "Copy as JSON" }).click();
-  const copied = JSON.parse(await page.evaluate(() => window.copied));
+  const copied = JSON.parse(await copiedBy(page, "Copy as JSON"));
   same(JSON.stringify(copied.point), "[0.4,-0.7,0.2]", "the point of the JSON");
   same(copied.generators.length, 3, "the generators of the JSON");
 

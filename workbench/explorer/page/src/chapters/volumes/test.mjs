@@ -1,9 +1,7 @@
 // The chapter in a browser: levels and counts are the library's, and a drag of the second copy changes them.
-import { holds, same } from "../../../tests/kit.mjs";
+import { copiedBy, holds, same } from "../../../tests/kit.mjs";
 
 export const id = "volumes";
-
-export const options = { permissions: ["clipboard-read", "clipboard-write"] };
 
 export async function test(opened, library) {
   const { page } = opened;
@@ -16,10 +14,7 @@ export async function test(opened, library) {
         .innerText()
     ).trim();
   // The command holds the mesh of the state.
-  const mesh = async () => {
-    await page.getByRole("button", { name: "Copy as JSON" }).click();
-    return JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
-  };
+  const mesh = async () => JSON.parse(await copiedBy(page, "Copy as JSON"));
   for (const name of ["Rings", "Linked rings", "Balls", "Angles", "Needles", "Plates", "Overlapping balls"]) {
     await opened.preset(name);
     const { level, volume } = await opened.state();
