@@ -2,11 +2,11 @@
 //! that is handed to others is compared, stored and subtracted.
 //!
 //! The gauge is u · p / h(u) at the optimal direction u, the exact product of two generators. One pass in pairs of
-//! doubles knows that quotient far beyond a double, from u in pairs or, however much cancels in it, from u in integers;
-//! or the sums of a structure know it exactly. Where doubles left open whether u is optimal, as at an edge of a facet,
-//! a second pass sums up the generators with their signs: with the coefficients of the two generators of u from that
-//! sum, at most ε beyond ±1, the gauge is at most 1 + ε s times as large, where s bounds the gauge of these generators.
-//! The middle of that interval is returned. Where the interval is wide, exact arithmetic answers.
+//! doubles knows that quotient far beyond a double: it sums up the generators with the signs of their products with u,
+//! or, where rounding leaves a sign open, the products, with u in pairs or in integers; or a structure knows the sums.
+//! The coefficients of the two generators of u, from the sum with signs, are in [−1, 1] where u is optimal. Where they
+//! are ε beyond, as at an edge of a facet, the gauge is at most 1 + ε s times as large, and s bounds the gauges of the
+//! two. The middle of that interval is returned. Where the interval is wide, exact arithmetic answers.
 
 use super::certify::rounded_optimum::DecidedOptimum;
 use super::certify::unit_gauge_bound::unit_gauge_bound;

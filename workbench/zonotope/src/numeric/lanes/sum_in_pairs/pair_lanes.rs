@@ -1,6 +1,6 @@
 //! Sums over many vectors to about twice the digits of a double: eight side by side, block after block.
 //!
-//! What rounding a product leaves behind is known (Dekker), and so is what rounding a sum does (Knuth). These small
+//! The rest that rounding a product leaves is known (Dekker), and so is that of a sum (Knuth). These small
 //! parts are added up as they are within a block, where they are few; what joining the blocks leaves behind is kept.
 
 use fearless_simd::{Simd, f64x8, prelude::*, u64x8};
@@ -23,7 +23,7 @@ const HEAD: u64 = u64::MAX << 27;
 pub(crate) struct Sum {
     head: f64,
     tail: f64,
-    /// What rounding the tail leaves behind.
+    /// The rest that rounding the tail leaves.
     rest: f64,
     magnitude: f64,
 }
